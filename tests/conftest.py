@@ -12,7 +12,7 @@ from hypothesis.internal.conjecture import providers
 
 from tests.grids import tries
 
-pytest_plugins = ["tests.browser.fixtures", "tests.browser.classroom", "tests.browser.engines"]
+pytest_plugins = ["tests.browser.fixtures", "tests.browser.classroom"]
 
 SEED = os.environ.get("SEED")
 """Set by `make nightly`, for new examples each night. A failure becomes an `@example` of its test."""

@@ -18,7 +18,7 @@ from playwright.sync_api import Browser, Page, sync_playwright
 from components.walks.loading import load_walks
 from components.walks.walk import Walk
 from tests.browser.fixtures import READY
-from tests.browser.halls import LAID, TAUGHT, seen
+from tests.browser.looks import LAID, TAUGHT, in_hall
 from tests.serving.server import serving
 from tools.browsers.chromium import find
 
@@ -113,7 +113,7 @@ def shown(page: Page, place: int) -> Iterator[str]:
 
 def faults_of(page: Page, height: int) -> Iterator[str]:
     """Return a sentence for each fault of the page: of its layout and type, then of what is drawn."""
-    yield from (re.sub("^.*? Show: ", "", fault) for fault in seen(page, height, ""))
+    yield from (re.sub("^.*? Show: ", "", fault) for fault in in_hall(page, height, ""))
     measured: dict[str, Any] = page.evaluate(MEASURED)
     stages, plots = measured["stages"], measured["plots"]
     if len(stages) > 1 or len(plots) > 2:

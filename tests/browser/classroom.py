@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 
 import pytest
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Page, expect
 
-from tests.browser.fixtures import READY, calm_context
-from tests.browser.waiting import clicked
+from tests.browser.fixtures import CONNECTED, READY
 from tests.serving.server import Server
 
-CONNECTED = f"{READY} && document.documentElement.dataset.connected === 'true'"
 LED = "globalThis.oscillations?.classes?.led"
 FILLED = ".card .foot .filled"
 FRAME = """(() => { const {plot} = (oscillations.walks?.walk ?? oscillations.asked).card.question.pad
@@ -24,37 +21,26 @@ FRAME = """(() => { const {plot} = (oscillations.walks?.walk ?? oscillations.ask
 Open = Callable[[str, int, int], Page]
 
 
-@pytest.fixture
-def window(server: Server, new_page: Callable[..., Page]) -> Open:
+def opening(make: Callable[..., Page], url: str) -> Open:
+    """Opens addresses below `url` on new pages."""
+
     def go(query: str, width: int, height: int) -> Page:
-        page = new_page(width=width, height=height)
-        page.goto(f"{server.url}?{query}")
+        page = make(width=width, height=height)
+        page.goto(f"{url}?{query}")
         return page
 
     return go
 
 
 @pytest.fixture
-def failing(server: Server, browser: Browser) -> Iterator[Open]:
+def window(server: Server, new_page: Callable[..., Page]) -> Open:
+    return opening(new_page, server.url)
+
+
+@pytest.fixture
+def failing(server: Server, quiet: Callable[..., Page]) -> Open:
     """Pages for a class in which requests fail on purpose; browsers log these as errors."""
-    with opening(browser, server.url) as go:
-        yield go
-
-
-@contextmanager
-def opening(browser: Browser, url: str) -> Iterator[Open]:
-    """Pages below an address, each in its own context, so that errors in their consoles are allowed."""
-    contexts = []
-
-    def go(query: str, width: int, height: int) -> Page:
-        contexts.append(calm_context(browser, {"width": width, "height": height}, bypass_csp=True))
-        page = contexts[-1].new_page()
-        page.goto(f"{url}?{query}")
-        return page
-
-    yield go
-    for context in contexts:
-        context.close()
+    return opening(quiet, server.url)
 
 
 def taught(window: Open, query: str, width: int = 1920, height: int = 1080) -> tuple[Page, str]:
@@ -85,10 +71,6 @@ def put(step: str, lecture: Page, *phones: Page, timeout: float | None = None) -
 def sent(phone: Page, timeout: float | None = None) -> None:
     """Wait until the class has the answer of a phone."""
     expect(phone.get_by_text("You can change it until the")).to_be_visible(timeout=timeout)
-
-
-def tap(phone: Page, option: int) -> None:
-    phone.locator(f".answers [data-option='{option}']").click()
 
 
 def ticket(lecture: Page, button: str, answer: str) -> str:
@@ -125,14 +107,3 @@ def counted(lecture: Page, *counts: str) -> None:
     """Return the votes for each answer, in the order of the walk's file."""
     for i, count in enumerate(counts):
         expect(lecture.locator(f".answers [data-option='{i}'] .vote-count")).to_have_text(count)
-
-
-def explained(lecture: Page, *phones: Page) -> None:
-    """A clicker shows the votes, then the answer, to hall and phones."""
-    clicked(lecture)
-    expect(lecture.locator(FILLED)).to_have_text("Show the answer")
-    assert not lecture.evaluate("oscillations.walks.walk.lesson")
-    clicked(lecture)
-    lecture.wait_for_function("oscillations.walks.walk.lesson")
-    for phone in phones:
-        expect(phone.locator(".card .after > *").first).to_be_attached()  # with the reply to the phone's own answer

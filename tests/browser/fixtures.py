@@ -5,10 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from threading import Thread
 from typing import Any
 from urllib.parse import urlsplit
 
@@ -21,6 +18,7 @@ from tests.serving.server import Server, serving
 from tools.browsers.chromium import find
 
 READY = "document.documentElement.dataset.ready === 'true'"
+CONNECTED = f"{READY} && document.documentElement.dataset.connected === 'true'"
 # Long enough for a busy machine, but shorter than the page's own timers of 10 s.
 expect.set_options(timeout=9_000)
 
@@ -49,7 +47,8 @@ FORGET = "() => { localStorage.clear(); sessionStorage.clear() }"
 
 def calm_context(browser: Browser, size: dict[str, int], **options: Any) -> BrowserContext:
     """A visitor whose pages draw less often."""
-    context = browser.new_context(viewport=size, **options)
+    # Playwright waits for an expression with eval, which the page forbids: tests/serving/test_assets.py.
+    context = browser.new_context(viewport=size, **{"bypass_csp": True, **options})
     context.add_init_script(CALMER)
     return context
 
@@ -162,10 +161,9 @@ def new_page(browser: Browser, tabs: Tabs, server: Server) -> Iterator[Callable[
         faults.extend(_foreign(request, server))
 
     def make(width: int = 1280, height: int = 720, fresh: bool = False, **given: Any) -> Page:
-        # Playwright waits for an expression with eval, which the page forbids: tests/serving/test_assets.py.
-        size, options = {"width": width, "height": height}, {"bypass_csp": True, **given}
-        tab = Tab(browser, size, options) if fresh else tabs.take(size, options)
-        taken.append((tab, None if fresh else options))
+        size = {"width": width, "height": height}
+        tab = Tab(browser, size, given) if fresh else tabs.take(size, given)
+        taken.append((tab, None if fresh else given))
         tab.page.on("request", look)
         return tab.page
 
@@ -181,13 +179,30 @@ def new_page(browser: Browser, tabs: Tabs, server: Server) -> Iterator[Callable[
 
 
 @pytest.fixture
+def quiet(browser: Browser) -> Iterator[Callable[..., Page]]:
+    """Makes pages that may log errors to the console, as a browser does without a network, but throw no exception."""
+    contexts, faults = list[BrowserContext](), list[str]()
+
+    def make(width: int = 1280, height: int = 720, **options: Any) -> Page:
+        contexts.append(calm_context(browser, {"width": width, "height": height}, **options))
+        page = contexts[-1].new_page()
+        page.on("pageerror", lambda error: faults.append(str(error)))
+        return page
+
+    yield make
+    for context in contexts:
+        context.close()
+    assert not faults
+
+
+@pytest.fixture
 def page(new_page: Callable[..., Page]) -> Page:
     return new_page()
 
 
 def _turning(browser: Browser, server: Server, width: int, height: int, **given: Any) -> Iterator[Page]:
     """A page for all tests of a module, which changes from scene to scene."""
-    tab = Tab(browser, {"width": width, "height": height}, {"bypass_csp": True, **given})
+    tab = Tab(browser, {"width": width, "height": height}, given)
     tab.page.on("request", lambda request: tab.faults.extend(_foreign(request, server)))
     tab.page.goto(f"{server.url}?scene={next(iter(SCENES))}")
     tab.page.wait_for_function(READY)
@@ -237,23 +252,3 @@ def another_version(route: Route) -> None:
     """Return the page as a later version of the server would send it."""
     answer = route.fetch()
     route.fulfill(response=answer, body=answer.text().replace('data-version="', 'data-version="x'))
-
-
-@contextmanager
-def elsewhere(html: str) -> Iterator[str]:
-    """Serve a page of another origin and return its address."""
-
-    class Course(BaseHTTPRequestHandler):
-        def do_GET(self) -> None:
-            self.send_response(200)
-            self.send_header("Content-Type", "text/html; charset=utf-8")
-            self.end_headers()
-            self.wfile.write(html.encode())
-
-        def log_message(self, *_: object) -> None:
-            """Log nothing."""
-
-    with ThreadingHTTPServer(("127.0.0.1", 0), Course) as served:
-        Thread(target=served.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{served.server_port}/"
-        served.shutdown()

@@ -7,29 +7,15 @@ from __future__ import annotations
 import json
 import math
 import re
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, FilePayload, Page, Request, Route, expect
+from playwright.sync_api import FilePayload, Page, Request, Route, expect
 
-from tests.browser.classroom import (
-    CONNECTED,
-    FILLED,
-    LED,
-    Open,
-    counted,
-    explained,
-    joined,
-    opening,
-    put,
-    remote_of,
-    sent,
-    tap,
-    taught,
-    ticket,
-)  # fmt: skip
-from tests.browser.fixtures import READY, another_version
-from tests.browser.waiting import QUIET, clicked, drop, passed
+from tests.browser.classroom import FILLED, LED, Open, counted, joined, opening, put, remote_of, sent, taught, ticket
+from tests.browser.fixtures import CONNECTED, READY, another_version
+from tests.browser.waiting import QUIET, clicked, drop, passed, tap
 from tests.live_class.caller import call
 from tests.serving.server import Server, serving
 from tools.reconnect.site import GatedSite
@@ -137,6 +123,17 @@ def pressed(lecture: Page, remote: Page) -> None:
     remote.get_by_role("button", name="Where energy goes back and forth").click()
     put("d31-11", lecture)
     expect(remote.locator(".class-remote > [role=status]")).to_contain_text("11 of 16")
+
+
+def explained(lecture: Page, *phones: Page) -> None:
+    """A clicker shows the votes, then the answer, to hall and phones."""
+    clicked(lecture)
+    expect(lecture.locator(FILLED)).to_have_text("Show the answer")
+    assert not lecture.evaluate("oscillations.walks.walk.lesson")
+    clicked(lecture)
+    lecture.wait_for_function("oscillations.walks.walk.lesson")
+    for phone in phones:
+        expect(phone.locator(".card .after > *").first).to_be_attached()  # with the reply to the phone's own answer
 
 
 def in_step(lecture: Page, phone: Page) -> None:
@@ -293,8 +290,9 @@ def loaded_again(site: GatedSite, lecture: Page) -> None:
 
 @pytest.mark.slow
 @pytest.mark.timeout(400)  # five windows
-def test_no_answer_is_lost_when_the_server_is_killed(browser: Browser, tmp_path: Path) -> None:
-    with GatedSite(tmp_path) as site, opening(browser, site.url) as window:
+def test_no_answer_is_lost_when_the_server_is_killed(quiet: Callable[..., Page], tmp_path: Path) -> None:
+    with GatedSite(tmp_path) as site:
+        window = opening(quiet, site.url)
         lecture, code = taught(window, "scene=oscillator", 1280, 844)
         drop(lecture, "mine.toml", MINE)
         lecture.wait_for_function(f"{LED}?.news.question?.step === 'pull'", timeout=READING)
@@ -366,10 +364,10 @@ PHRASE = "swinging über springs"
 
 
 def test_who_opens_a_class_is_asked_for_the_passphrase_and_the_qr_code_lets_phones_in(
-    tmp_path: Path, browser: Browser
+    tmp_path: Path, quiet: Callable[..., Page]
 ) -> None:
-    environment = {"CLASS_PASSPHRASE": PHRASE}
-    with serving(tmp_path / "log", environment=environment) as server, opening(browser, server.url) as window:
+    with serving(tmp_path / "log", environment={"CLASS_PASSPHRASE": PHRASE}) as server:
+        window = opening(quiet, server.url)
         page = window("scene=coupled", 1280, 800)
         page.wait_for_function(CONNECTED)
         page.keyboard.press("t")

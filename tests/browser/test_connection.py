@@ -6,14 +6,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from typing import Any
 from urllib.parse import urlsplit
 
 import pytest
 from playwright.sync_api import Browser, Page, Route, expect
 
 from components.scenes import SCENES
-from tests.browser.fixtures import READY, another_version, calm_context
+from tests.browser.fixtures import READY, another_version
 from tests.browser.waiting import QUIET, played, unfold
 from tests.grids import sample
 from tests.serving.server import Server
@@ -33,34 +32,13 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[GatedSite]:
 
 
 @pytest.fixture
-def quiet(browser: Browser) -> Iterator[Quiet]:
-    """Makes pages that may log errors to the console, as a browser does without a network, but throw no exception."""
-    contexts, faults = [], []
-
-    def make(script: str = "", **options: Any) -> Page:
-        context = calm_context(browser, {"width": 1280, "height": 720}, bypass_csp=True, **options)
-        contexts.append(context)
-        page = context.new_page()
-        page.on("pageerror", lambda error: faults.append(str(error)))
-        if script:
-            page.add_init_script(script)
-        return page
-
-    yield make
-    for context in contexts:
-        context.close()
-    assert not faults
-
-
-@pytest.fixture
 def page(quiet: Quiet) -> Page:
     return quiet()
 
 
-def opened(page: Page, server: Server) -> None:
-    page.goto(server.url + LINK)
-    page.wait_for_function(READY)
-    page.wait_for_function(CONNECTED.format("true"))
+def opened(page: Page, server: Server, query: str = LINK) -> None:
+    page.goto(server.url + query)
+    page.wait_for_function(f"{READY} && {CONNECTED.format('true')}")
     unfold(page)
 
 
@@ -127,8 +105,7 @@ def test_what_is_lost_is_said_and_what_waits_is_shown(page: Page, server: Server
         assert page.evaluate("(bar => bar.scrollWidth - bar.clientWidth)(document.querySelector('.lost'))") == 0
     page.set_viewport_size({"width": 1280, "height": 720})
     page.locator("a[href='./']:visible").last.click(trial=True)
-    frames = page.evaluate("oscillations.clock.frames")
-    page.wait_for_function("frames => oscillations.clock.frames > frames", arg=frames)
+    played(page, 1)
     page.context.set_offline(False)
     expect(page.get_by_role("status").filter(has_text="Connected again")).to_be_visible()
     expect(alert).to_be_hidden()
@@ -178,14 +155,6 @@ def test_a_page_older_than_the_server_takes_the_new_one_but_not_under_a_hand(pag
     assert (state["hidden"], state["covered"]) == (["x1_slow"], ["plot:x2"])
 
 
-def test_a_proxy_that_refuses_sockets_is_named(page: Page, server: Server) -> None:
-    page.add_init_script("globalThis.WebSocket = class { constructor() { throw new Error('refused') } }")
-    page.goto(server.url + LINK)
-    page.wait_for_function(READY)
-    alert = page.get_by_role("alert").filter(has_text="Not connected.")
-    expect(alert).to_contain_text("blocks WebSockets", timeout=30_000)
-
-
 LACKS = {
     "modules": "delete HTMLScriptElement.prototype.noModule",
     "DecompressionStream": "delete globalThis.DecompressionStream",
@@ -193,8 +162,9 @@ LACKS = {
     "nested rules": "CSS.supports = rule => rule !== 'selector(&)'",
 }
 """Scripts that remove a feature of the browser, or report that it is missing."""
+REFUSED = "globalThis.WebSocket = class { constructor() { throw new Error('refused') } }"
 BY_ANYTHING = 30_000
-PRINTED = f"{READY} && oscillations.page.print"
+PRINTED = "oscillations.page.print"
 """The last parts have come."""
 
 
@@ -202,8 +172,7 @@ def test_a_walk_of_ones_own_is_known_to_the_next_session(page: Page, server: Ser
     """Its answer waits while the connection is lost, and arrives later; also after going back in the history of a
     reloaded page.
     """
-    page.goto(f"{server.url}?scene=energy")
-    page.wait_for_function(READY)
+    opened(page, server, "?scene=energy")
     page.evaluate("text => oscillations.walks.run('mine', text)", MINE)
     page.wait_for_function("oscillations.walks.walk?.card?.page === oscillations.page")
     lost(page)
@@ -243,27 +212,30 @@ def test_a_link_too_long_for_a_server_loses_nothing(page: Page, server: Server) 
     assert page.evaluate("oscillations.messages.state.hidden") == ["x1_slow"]
 
 
-def test_what_an_old_browser_lacks_is_named(quiet: Quiet, browser: Browser, server: Server) -> None:
+def test_what_an_old_browser_lacks_and_a_proxy_refuses_is_named(quiet: Quiet, browser: Browser, server: Server) -> None:
     page = quiet(java_script_enabled=False)
     page.goto(f"{server.url}?scene=coupled")
     expect(page.locator("noscript p")).to_be_in_viewport()
     expect(page.locator("noscript p")).to_contain_text("JavaScript, which is switched off")
     for feature, script in LACKS.items():
-        page = browser.new_page()
+        page = browser.new_page()  # parts of the page fail
         page.add_init_script(script)
         page.goto(f"{server.url}?scene=coupled")
         alert = page.get_by_role("alert").filter(has_text=f"This browser does not have {feature},")
         expect(alert).to_contain_text("Firefox 121")
         expect(alert).to_be_in_viewport()
         page.close()
-
-
-def test_files_that_cannot_be_fetched_are_missed_in_a_sentence_and_come_later(quiet: Quiet, server: Server) -> None:
     page = quiet()
+    page.add_init_script(REFUSED)
+    page.goto(server.url + LINK)
+    expect(page.get_by_role("alert").filter(has_text="blocks WebSockets")).to_be_visible(timeout=30_000)
+
+
+def test_files_that_cannot_be_fetched_are_missed_in_a_sentence_and_come_later(page: Page, server: Server) -> None:
     page.route("**/start.js", lambda route: route.abort())
     page.goto(f"{server.url}?scene=oscillator")
     expect(page.get_by_role("alert").filter(has_text="Part of this page could not be loaded")).to_be_in_viewport()
-    page = quiet()
+    page.unroute("**/start.js")
     page.route("**/bokeh.min.js", lambda route: route.abort())
     page.goto(f"{server.url}?scene=coupled")
     page.wait_for_function(READY)
@@ -278,11 +250,9 @@ def test_files_that_cannot_be_fetched_are_missed_in_a_sentence_and_come_later(qu
     expect(lacks).to_have_count(0)
 
 
-def test_parts_asked_for_without_a_network_come_with_it(quiet: Quiet, server: Server) -> None:
-    page = quiet()
-    page.goto(f"{server.url}?scene=coupled")
+def test_parts_asked_for_without_a_network_come_with_it(page: Page, server: Server) -> None:
+    opened(page, server, "?scene=coupled")
     page.wait_for_function(PRINTED)
-    unfold(page)
     page.context.set_offline(True)
     page.locator("details.about summary").click()
     for _ in range(2):
@@ -321,10 +291,10 @@ BREAKABLE = """() => {
 """Let every object that takes a picture count its calls in `counts`, or fail if it is `broken`; return all names."""
 
 
-def test_an_exception_in_one_part_stops_no_other_and_is_reported_once(quiet: Quiet, server: Server) -> None:
-    page, logged = quiet(), list[str]()
+def test_an_exception_in_one_part_stops_no_other_and_is_reported_once(page: Page, server: Server) -> None:
+    logged = list[str]()
     page.on("console", lambda message: logged.append(message.text) if message.type == "error" else None)
-    page.goto(f"{server.url}?scene=coupled")
+    opened(page, server, "?scene=coupled")
     page.wait_for_function(f"{PRINTED} && oscillations.page.voice")
     names = page.evaluate(BREAKABLE)
     for i, name in enumerate(names):
@@ -344,8 +314,7 @@ def test_an_exception_in_one_part_stops_no_other_and_is_reported_once(quiet: Qui
 
 def test_an_exception_of_a_button_is_reported(browser: Browser, server: Server) -> None:
     page = browser.new_page(bypass_csp=True)
-    page.goto(f"{server.url}?scene=coupled")
-    page.wait_for_function(READY)
+    opened(page, server, "?scene=coupled")
     page.evaluate("() => { oscillations.page.compare.toggle = () => { throw Error('Hold is broken') } }")
     page.get_by_role("button", name="Hold").click()
     expect(page.locator(".remark")).to_contain_text("Hold is broken")

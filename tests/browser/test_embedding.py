@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from threading import Thread
 
 import panel
 import pytest
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Page, expect
 
 from components.scenes import SCENES
-from tests.browser.fixtures import READY, elsewhere
+from tests.browser.fixtures import READY
 from tests.browser.waiting import UNFOLD
 from tests.serving.server import ROOT, Server
 
@@ -23,74 +26,70 @@ REVEAL = (Path(panel.__file__).parent / "dist" / "bundled" / "reveal.js@4.5.0" /
 
 
 @pytest.fixture
-def opened(browser: Browser) -> Iterator[Callable[[str], Page]]:
-    context = browser.new_context(viewport={"width": 1280, "height": 900}, bypass_csp=True, reduced_motion="reduce")
+def shown(quiet: Callable[..., Page], framed: Server, tmp_path: Path) -> Iterator[Callable[[str], Page]]:
+    """Shows a page of another origin."""
 
-    def visit(address: str) -> Page:
-        page = context.new_page()
-        page.goto(address)
+    def visit(html: str) -> Page:
+        html = f"<!DOCTYPE html><title>A course</title>{html}".replace("https://lecture.example/", framed.url)
+        (tmp_path / "course.html").write_text(html, encoding="utf-8")
+        page = quiet(height=900, reduced_motion="reduce")
+        page.goto(f"http://127.0.0.1:{served.server_port}/course.html")
         return page
 
-    yield visit
-    context.close()
+    with ThreadingHTTPServer(("127.0.0.1", 0), partial(SimpleHTTPRequestHandler, directory=tmp_path)) as served:
+        Thread(target=served.serve_forever, daemon=True).start()
+        yield visit
+        served.shutdown()
 
 
-def test_a_frame_reports_its_height_takes_no_focus_and_copies_its_link(
-    framed: Server, opened: Callable[[str], Page]
-) -> None:
+def test_a_frame_reports_its_height_takes_no_focus_and_copies_its_link(shown: Callable[[str], Page]) -> None:
     """If a page may not copy, it shows the link instead."""
     low = FRAME.replace('height="760"', 'height="500"')
-    html = f"<!DOCTYPE html><title>A course</title><label>Name <input></label>{low}{LISTENER}"
-    with elsewhere(html.replace("https://lecture.example/", framed.url)) as address:
-        page = opened(address)
-        name, frame = page.get_by_label("Name"), page.frames[1]
-        name.focus()
-        frame.wait_for_function(READY)
-        expect(frame.locator("h1")).to_have_text("Every free motion is a slow mode plus a fast mode")
-        assert frame.evaluate("oscillations.shown.state.parameters.k2") == 3
-        page.wait_for_function("document.querySelector('iframe').height !== '500'")
-        frame.wait_for_function("document.documentElement.scrollHeight <= innerHeight + 1")
-        expect(name).to_be_focused()
-        frame.get_by_text("Save and share").click()
-        frame.get_by_role("button", name="Copy link").click()
-        expect(frame.get_by_role("button", name="Copied")).to_be_visible()
-        name.press("ControlOrMeta+v")
-        expect(name).to_have_value(re.compile(r"\?scene=coupled&k2=3(&|$)"))
-        out = frame.get_by_role("link", name="Open in a tab")
-        out.focus()
-        expect(out).to_have_attribute("href", re.compile(r"^\?scene=coupled&k2=3(&|$)"))
-        expect(out).to_have_attribute("target", "_blank")
-        name.focus()
-        frame.evaluate("oscillations.open({scene: 'modes'})")
-        expect(frame.locator("h1")).to_have_text(SCENES["modes"].headline)
-        expect(name).to_be_focused()
-        page.evaluate("document.querySelector('iframe').width = 420")
-        frame.wait_for_function("innerWidth === 420 && document.documentElement.scrollHeight <= innerHeight + 1")
-        frame.evaluate("document.execCommand = () => false")
-        frame.evaluate(UNFOLD)
-        frame.get_by_role("button", name="Copy link").click()
-        field = frame.get_by_role("textbox", name="Link", exact=True)
-        expect(field).to_have_value(re.compile(r"\?scene=modes"))
-        expect(field).to_be_focused()
-        assert field.evaluate("one => one.selectionEnd - one.selectionStart === one.value.length")
+    page = shown(f"<label>Name <input></label>{low}{LISTENER}")
+    name, frame = page.get_by_label("Name"), page.frames[1]
+    name.focus()
+    frame.wait_for_function(READY)
+    expect(frame.locator("h1")).to_have_text("Every free motion is a slow mode plus a fast mode")
+    assert frame.evaluate("oscillations.shown.state.parameters.k2") == 3
+    page.wait_for_function("document.querySelector('iframe').height !== '500'")
+    frame.wait_for_function("document.documentElement.scrollHeight <= innerHeight + 1")
+    expect(name).to_be_focused()
+    frame.get_by_text("Save and share").click()
+    frame.get_by_role("button", name="Copy link").click()
+    expect(frame.get_by_role("button", name="Copied")).to_be_visible()
+    name.press("ControlOrMeta+v")
+    expect(name).to_have_value(re.compile(r"\?scene=coupled&k2=3(&|$)"))
+    out = frame.get_by_role("link", name="Open in a tab")
+    out.focus()
+    expect(out).to_have_attribute("href", re.compile(r"^\?scene=coupled&k2=3(&|$)"))
+    expect(out).to_have_attribute("target", "_blank")
+    name.focus()
+    frame.evaluate("oscillations.open({scene: 'modes'})")
+    expect(frame.locator("h1")).to_have_text(SCENES["modes"].headline)
+    expect(name).to_be_focused()
+    page.evaluate("document.querySelector('iframe').width = 420")
+    frame.wait_for_function("innerWidth === 420 && document.documentElement.scrollHeight <= innerHeight + 1")
+    frame.evaluate("document.execCommand = () => false")
+    frame.evaluate(UNFOLD)
+    frame.get_by_role("button", name="Copy link").click()
+    field = frame.get_by_role("textbox", name="Link", exact=True)
+    expect(field).to_have_value(re.compile(r"\?scene=modes"))
+    expect(field).to_be_focused()
+    assert field.evaluate("one => one.selectionEnd - one.selectionStart === one.value.length")
 
 
-def test_a_slide_shows_a_scene_for_the_last_row(framed: Server, opened: Callable[[str], Page]) -> None:
+def test_a_slide_shows_a_scene_for_the_last_row(framed: Server, shown: Callable[[str], Page]) -> None:
     slides = f'<div class="reveal"><div class="slides"><section>One</section>{SLIDE}</div></div>'
     look = "{position: absolute; inset: 0; width: 100%; height: 100%}"
     start = f"<style>.backgrounds, .slide-background, iframe {look}</style>"
     scripts = f"<script>{REVEAL}</script><script>Reveal.initialize()</script>"
-    html = f"<!DOCTYPE html><title>Slides</title>{start}{slides}{scripts}"
-    with elsewhere(html.replace("https://lecture.example/", framed.url)) as address:
-        page = opened(address)
-        page.wait_for_function("Reveal.isReady()")
-        page.evaluate("Reveal.next()")
-        page.wait_for_function("document.querySelector('.backgrounds iframe[src]')")
-        frame = page.locator(".backgrounds iframe").element_handle().content_frame()
-        assert frame
-        frame.wait_for_url(f"{framed.url}**")
-        frame.wait_for_function(READY)
-        assert frame.evaluate("[oscillations.shown.scene, location.search]") == [
-            "forced",
-            "?scene=forced&view=response&projector",
-        ]
+    page = shown(start + slides + scripts)
+    page.wait_for_function("Reveal.isReady()")
+    page.evaluate("Reveal.next()")
+    page.wait_for_function("document.querySelector('.backgrounds iframe[src]')")
+    frame = page.locator(".backgrounds iframe").element_handle().content_frame()
+    assert frame
+    frame.wait_for_url(f"{framed.url}**")
+    frame.wait_for_function(READY)
+    assert frame.evaluate("location.search") == "?scene=forced&view=response&projector"
+    expect(frame.locator("h1")).to_have_text(SCENES["forced"].headline)

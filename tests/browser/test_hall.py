@@ -24,8 +24,7 @@ from components.walks.subject import Subject
 from components.walks.walk import Step
 from tests.browser.classroom import FILLED, FRAME, LED, Open, joined, put, sent, taught
 from tests.browser.fixtures import READY
-from tests.browser.halls import LAID, LOW, SCROLLED, TAUGHT, seen
-from tests.browser.looks import faults
+from tests.browser.looks import LAID, LOW, SCROLLED, TAUGHT, faults, in_hall
 from tests.browser.touch import middle, swipe, value
 from tests.browser.waiting import clicked, drop, passed, seek, turned
 from tests.grids import WHOLE, sample
@@ -159,11 +158,11 @@ def with_room(page: Page, step: Step, by: str) -> Iterator[str]:
         return
     if step.follows:
         page.evaluate(UNFOLD, True)
-        yield from seen(page, HEIGHT, "how it follows")
+        yield from in_hall(page, HEIGHT, "how it follows")
         page.evaluate(UNFOLD, False)
     opener = page.get_by_role("button", name="Try", exact=True)
     opener.click()
-    yield from seen(page, HEIGHT, "trying")
+    yield from in_hall(page, HEIGHT, "trying")
     opener.click()
 
 
@@ -218,7 +217,7 @@ def test_with_votes(name: str, server: Server, window: Open) -> None:
     found: list[str] = []
 
     def look(step: Step, when: str) -> None:
-        found.extend(seen(lecture, HEIGHT, f"{step.id}, {when}"))
+        found.extend(in_hall(lecture, HEIGHT, f"{step.id}, {when}"))
 
     for place, step in enumerate(WALKS[name].steps):
         if not WHOLE and step.id not in CROWDED:

@@ -20,10 +20,9 @@ from components.walks.questions.choice import ChoiceStep
 from components.walks.questions.point import PointStep
 from components.walks.questions.sketch import SketchStep
 from components.walks.walk import Walk
-from tests.browser.classroom import tap
-from tests.browser.engines import stroke
 from tests.browser.fixtures import READY
-from tests.browser.waiting import clicked, drop, turned
+from tests.browser.touch import stroke
+from tests.browser.waiting import clicked, drop, tap, turned
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
 COVERED = {"plot:x2", "value:omega_minus", "form:beat"}

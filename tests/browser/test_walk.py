@@ -12,11 +12,11 @@ from playwright.sync_api import Locator, Page, expect
 from components.scenes import SCENES
 from components.walks.loading import load_walks
 from components.walks.questions.choice import ChoiceStep
-from tests.browser.classroom import CONNECTED, FRAME, LED, Open, draw, joined, sent, tap, taught
+from tests.browser.classroom import CONNECTED, FRAME, LED, Open, draw, joined, sent, taught
 from tests.browser.fixtures import READY
-from tests.browser.halls import TAUGHT
+from tests.browser.looks import TAUGHT
 from tests.browser.touch import Finger
-from tests.browser.waiting import QUIET, passed
+from tests.browser.waiting import QUIET, passed, tap
 from tests.grids import sample
 from tests.serving.server import Server
 

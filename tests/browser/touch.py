@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from time import time
 from typing import Any
 
 from playwright.sync_api import Locator, Page
 
 from tests.browser.waiting import QUIET, passed
+from tools.browsers.driven import DrivenWindow
 
+Point = tuple[float, float]
 FREE = f"!oscillations.page.hand.grab && !oscillations.page.compare.undoGroup && {QUIET}"
 """No hand holds anything, and the server has answered."""
 OUTLINE = "getComputedStyle(document.activeElement).outlineStyle"
@@ -36,6 +39,15 @@ def middle(part: Locator) -> tuple[float, float]:
     box = part.bounding_box()
     assert box
     return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def stroke(page: Page | DrivenWindow, points: Iterable[Point]) -> None:
+    """Press the button at the first point, move over the others, and release it."""
+    for i, (x, y) in enumerate(points):
+        page.mouse.move(x, y)
+        if not i:
+            page.mouse.down()
+    page.mouse.up()
 
 
 def top(part: Locator) -> float:

@@ -73,6 +73,10 @@ def clicked(page: Page, key: str = "PageDown") -> None:
     page.evaluate("() => { globalThis.pressed = performance.now() }")
 
 
+def tap(page: Page, option: int) -> None:
+    page.locator(f".answers [data-option='{option}']").click()
+
+
 def typed(page: Page, name: str, text: str) -> None:
     """Type a value into the field of a parameter, which keeps the focus."""
     field = page.locator(f"input[name={name}]").last
