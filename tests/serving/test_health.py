@@ -47,23 +47,21 @@ async def test_figures_count_what_happens() -> None:
         await visitor.depart()
 
 
-async def test_figures_are_for_this_machine_and_those_who_are_named() -> None:
+async def test_figures_are_for_this_machine_and_those_who_are_named_and_the_log_may_name_visitors(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    caplog.set_level("INFO")
     named = ("198.51.100.0/24", "2001:db8::7")
     asked = {"198.51.100.9": 200, "2001:db8::7": 200, "203.0.113.9": 404, "2001:db8::8": 404}
-    async with served(trusted_proxies=("127.0.0.1",), metrics_for=named) as server, served() as alone:
+    async with served(trusted_proxies=("127.0.0.1",), metrics_for=named) as server, served(log_visitors=True) as alone:
         for address, status in asked.items():
             reply = await page_of(server, "/metrics", X_Forwarded_For=address)
             assert reply.status == status and ("oscillations_" in reply.text) == (status == 200)
         assert (await page_of(server, "/liveness", X_Forwarded_For="203.0.113.9")).status == 200
         assert (await page_of(alone, "/metrics")).status == 200
+        assert (await page_of(alone, "/app?k2=3")).status == 302
+        assert re.search(r"302 GET /app\?k2=3 [\d.]+ 127\.0\.0\.1", caplog.text)
         assert (await page_of(alone, "/metrics", X_Forwarded_For="127.0.0.1")).status == 404, "by an unknown proxy"
-
-
-async def test_the_log_has_visitors_where_that_is_asked_for(caplog: pytest.LogCaptureFixture) -> None:
-    caplog.set_level("INFO")
-    async with served(log_visitors=True) as told:
-        await page_of(told, "/?k2=3")
-        assert re.search(r"200 GET /\?k2=3 [\d.]+ 127\.0\.0\.1", caplog.text)
 
 
 def test_a_server_announces_its_end_sends_visitors_away_and_logs_none_of_them(tmp_path: Path) -> None:

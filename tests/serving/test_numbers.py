@@ -31,10 +31,10 @@ def link_table(query: str) -> bytes:
     return link_file(as_arguments(query), "http://here/", SCENES, NO_WALKS).content
 
 
-def files_of(query: str, page: str) -> dict[str, bytes]:
+def files_of(query: str) -> dict[str, bytes]:
     """Return the files that a page saves, by the names of their tables."""
     now = visited(as_arguments(query), NO_WALKS).now
-    file = as_file(now.asked, now.to_send[0], page)
+    file = as_file(now.asked, now.to_send[0], "http://here/")
     if file.kind == "text/csv":
         return {"": file.content}
     with zipfile.ZipFile(io.BytesIO(file.content)) as packed:
@@ -45,7 +45,7 @@ def files_of(query: str, page: str) -> dict[str, bytes]:
 @pytest.mark.parametrize("slug", sample([*SCENES], 3))
 def test_every_table_is_that_of_take_away(slug: str) -> None:
     query = f"scene={slug}"
-    files = files_of(query, "http://here/")
+    files = files_of(query)
     assert link_table(query) == next(iter(files.values()))
     for name, content in files.items():
         assert link_table(f"{query}&table={name}") == content
@@ -82,32 +82,25 @@ def test_what_cannot_be_is_refused_in_a_sentence(server: Server, query: str, sen
     assert sentence in reply.text and "<" not in reply.text
 
 
-async def test_the_worker_makes_the_file_for_the_network_that_asks() -> None:
+async def test_a_worker_does_the_long_jobs_for_the_network_that_asks() -> None:
     """The event loop continues meanwhile; the job of a client who leaves is cancelled."""
     worker = FakeWorker()
-    async with served(extensions=[NumbersRoute(worker, 9)]) as server:
+    page = partial(walked([]).open_page, worker=worker)
+    async with served(page, extensions=[NumbersRoute(worker, 9)]) as server:
         waits = asyncio.create_task(page_of(server, COUPLED))
         await until(lambda: len(worker.jobs) == 1)
         assert (await page_of(server, "/liveness")).status == 200
-        job = LinkExport({"scene": [b"coupled"], "k2": [b"3"]}, url(server))
-        assert worker.jobs == [(job, "127.0.0.0/24")]
-        worker.replies[0].set_result(
-            Replied(file=File(answer=None, name="coupled.csv", kind="text/csv", content=b"here"))
-        )
+        assert worker.jobs == [(LinkExport({"scene": [b"coupled"], "k2": [b"3"]}, url(server)), "127.0.0.0/24")]
+        worker.replies[0].set_result(Replied(file=File(answer=None, name="a.csv", kind="text/csv", content=b"here")))
         assert (await waits).text == "here"
         _, writer = await asyncio.open_connection("127.0.0.1", server.port)
         writer.write(f"GET {COUPLED} HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\n\r\n".encode())
         await until(lambda: len(worker.jobs) == 2)
         writer.close()
         await until(worker.replies[1].cancelled)
-
-
-async def test_a_page_gives_long_jobs_to_a_worker() -> None:
-    worker = FakeWorker()
-    async with served(partial(walked([]).open_page, worker=worker)) as server:
         visitor = await Visitor.arrive(url(server), "scene=coupled")
         told = asyncio.create_task(visitor.send({"type": "csv", "page": "http://here/"}))
-        await until(lambda: len(worker.jobs) == 1)
-        worker.replies[0].set_result(Replied(refused="read"))
+        await until(lambda: len(worker.jobs) == 3)
+        worker.replies[2].set_result(Replied(refused="read"))
         assert "read" in (await told)["errors"]["message"]
         await visitor.depart()

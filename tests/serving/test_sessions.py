@@ -37,54 +37,44 @@ async def test_a_token_opens_its_session_on_every_server_with_the_secret() -> No
         name = generate_session_id(secret_key=SECRET.encode(), signed=True)
         late, good = (generate_jwt_token(name, SECRET.encode(), True, expiration=seconds) for seconds in (-1, 60))
         assert opens_session(good, SECRET.encode())
-        assert [await refused(*one) for one in ((url(other), token), (url(first), late), (url(first), name))] == [
-            403
-        ] * 3
+        for server, wrong in ((other, token), (first, late), (first, name)):
+            assert await refused(url(server), wrong) == 403
         assert other.context.secret != second.context.secret and len(other.context.secret) > 32
         await caller.depart()
 
 
-async def test_a_page_or_message_that_fails_says_so_in_a_sentence_and_the_log_says_why_once(
+async def test_what_fails_for_one_visitor_is_said_in_a_sentence_logged_once_and_leaves_no_document_to_others(
     caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    def failing(document: Document) -> None:
+        open_page(document)
+        document.on_event("document_ready", fail)
+
     async def fails(*_: object) -> None:
         fail(None)
 
-    async with served(fail, bokeh_secret_key=SECRET) as server, served(bokeh_secret_key=SECRET) as sound:
+    before = len(_PATCHED_CURDOCS)
+    async with served(fail, bokeh_secret_key=SECRET) as server, served(failing, bokeh_secret_key=SECRET) as sound:
         page = await page_of(server)
         assert page.status == 500 and page.quiet and WORD not in page.text
         assert "Something went wrong on the server" in page.text
         caller = Caller(await connect(url(server), token_of((await page_of(sound)).text)))
         assert (await caller.closed())[0] == 1011
-        assert WORD in caplog.text
-        caplog.clear()
-        caller = await Caller.arrive(url(sound))
         monkeypatch.setattr(ServerSession, "pull", fails)
-        await caller.send(*PULL)
-        code, reason = await caller.closed()
-        assert code == 1011 and "Something went wrong on the server" in reason
-    assert [record.levelno for record in caplog.records if record.exc_info] == [logging.ERROR]
-
-
-async def test_what_fails_for_one_visitor_leaves_no_document_to_the_others() -> None:
-    def page(document: Document) -> None:
-        open_page(document)
-        document.on_event("document_ready", fail)
-
-    before = len(_PATCHED_CURDOCS)
-    async with served(fail) as server:
-        await page_of(server)
-    async with served(page) as server:
-        for message in (patch(event("document_ready")), said(None, model="p0")):
-            caller = await Caller.arrive(url(server))
+        for message, code in ((patch(event("document_ready")), 1011), (said(None, model="p0"), 1008), (PULL, 1011)):
+            caplog.clear()
+            caller = await Caller.arrive(url(sound))
             await caller.send(*message)
-            assert (await caller.closed())[0] in (1008, 1011)
+            found, reason = await caller.closed()
+            assert found == code and (code == 1008 or "Something went wrong on the server" in reason)
+            errors = [record.levelno for record in caplog.records if record.exc_info]
+            assert errors == [logging.ERROR] * (code == 1011) and (WORD in caplog.text) is (code == 1011)
     assert len(_PATCHED_CURDOCS) == before
 
 
-async def test_a_socket_that_misses_two_pings_is_dropped() -> None:
+async def test_a_socket_is_closed_that_misses_two_pings_or_sends_pings_without_end_and_all_at_the_end() -> None:
     async with served() as server:
-        caller, silent = await Caller.arrive(url(server)), await Caller.arrive(url(server))
+        caller, silent, noisy = [await Caller.arrive(url(server)) for _ in range(3)]
         silent.socket.protocol._send_pong = lambda _: None  # type: ignore[union-attr]
         for _ in range(MOST_MISSED + 1):
             for socket in list(server.context.admission.sockets):
@@ -93,8 +83,12 @@ async def test_a_socket_that_misses_two_pings_is_dropped() -> None:
             for _ in range(3):  # the answer comes after the pong
                 await caller.receive()
         assert await silent.closed() == (1001, "No answer to two pings.")
-        assert len(server.context.admission.sockets) == 1
-        await caller.depart()
+        assert len(server.context.admission.sockets) == 2
+        for _ in range(MOST_PINGS):
+            noisy.socket.ping(b"")
+        assert await noisy.closed() == (1008, "Too many pings.")
+        await server.end()
+        assert (await caller.closed())[0] == 1001
 
 
 async def test_a_page_has_one_socket_which_delays_no_answer() -> None:
@@ -111,19 +105,6 @@ async def test_a_page_has_one_socket_which_delays_no_answer() -> None:
         await second.send(*PULL)
         assert await second.receive()
         await second.depart()
-
-
-async def test_pings_without_end_close_their_socket_and_the_end_of_the_server_all_others() -> None:
-    async with served() as server:
-        caller, other = await Caller.arrive(url(server)), await Caller.arrive(url(server))
-        for _ in range(MOST_PINGS):
-            caller.socket.ping(b"")
-        assert await caller.closed() == (1008, "Too many pings.")
-        await server.end()
-        assert (await other.closed())[0] == 1001
-
-
-# The CPU time that a message takes
 
 
 async def busy(seconds: float) -> None:

@@ -14,21 +14,8 @@ import msgspec
 import pytest
 
 from components.scenes import SCENES
-from components.serving import worker_process
-from components.serving.worker_process import (
-    BUSY,
-    FILE_TOO_LONG,
-    FIT_TOO_LONG,
-    GONE,
-    LATE,
-    OF_A_NETWORK,
-    OVER_BUDGET,
-    SHARED,
-    USED_UP,
-    WAITING,
-    WALK_TOO_LONG,
-    ReadingProcess,
-)
+from components.serving import worker_process as own
+from components.serving.worker_process import ReadingProcess
 from components.session import worker as jobs
 from components.session.exports import LinkExport
 from components.session.measured import Fitting
@@ -51,10 +38,10 @@ GREEDY, CALM = "192.0.2.0/24", "198.51.100.0/24"
 
 @pytest.mark.slow
 def test_the_system_ends_a_job_that_uses_more_than_its_time(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(worker_process, "PATIENCE", 100.0)  # for a second of CPU on a busy machine
+    monkeypatch.setattr(own, "PATIENCE", 100.0)  # for a second of CPU on a busy machine
     with closing(ReadingProcess("tests.serving.test_worker_process")) as beside:
         asked = [beside.ask(job) for job in (READ, ENDLESS, READ)]
-        assert [one.result(120).refused for one in asked] == ["read", WALK_TOO_LONG, "read"]
+        assert [one.result(120).refused for one in asked] == ["read", own.WALK_TOO_LONG, "read"]
 
 
 def hangs(asked: WorkerJob, walks: Walks, scenes: Scenes) -> Replied:
@@ -66,7 +53,7 @@ def hangs(asked: WorkerJob, walks: Walks, scenes: Scenes) -> Replied:
 
 def test_a_process_that_cannot_start_is_named() -> None:
     with closing(ReadingProcess("tests.serving.no_such_module")) as beside:
-        assert beside.ask(READ).result(120).refused == GONE
+        assert beside.ask(READ).result(120).refused == own.GONE
 
 
 # The line of jobs, with a fake process
@@ -93,7 +80,7 @@ class FakeProcess:
             done = msgspec.msgpack.encode(Replied(refused="read"))
             self._out += len(done).to_bytes(4, "big") + done
         else:
-            self.returncode = OVER_BUDGET
+            self.returncode = own.OVER_BUDGET
 
     def read(self, size: int) -> bytes:
         taken, self._out = self._out[:size], self._out[size:]
@@ -106,7 +93,7 @@ class FakeProcess:
 @pytest.fixture
 def worker(monkeypatch: pytest.MonkeyPatch) -> Iterator[ReadingProcess]:
     """A worker with fake processes."""
-    monkeypatch.setattr(worker_process, "started", lambda *_: FakeProcess())
+    monkeypatch.setattr(own, "started", lambda *_: FakeProcess())
     GATE.clear()
     BEGAN.clear()
     with closing(ReadingProcess("fake")) as one:
@@ -130,16 +117,16 @@ def test_a_job_that_takes_too_long_is_refused_in_words_and_the_next_is_done(
 ) -> None:
     GATE.set()
     asked = [worker.ask(job) for job in (READ, ENDLESS, LinkExport({}, ""), Fitting([], [[]], 2, 0), READ)]
-    assert results(*asked) == ["read", WALK_TOO_LONG, FILE_TOO_LONG, FIT_TOO_LONG, "read"]
+    assert results(*asked) == ["read", own.WALK_TOO_LONG, own.FILE_TOO_LONG, own.FIT_TOO_LONG, "read"]
     for patience, job in (("FIT_PATIENCE", SLOW_FIT), ("PATIENCE", ASLEEP)):
-        monkeypatch.setattr(worker_process, patience, 0.05)
-        assert results(worker.ask(job)) == [LATE]
+        monkeypatch.setattr(own, patience, 0.05)
+        assert results(worker.ask(job)) == [own.LATE]
 
 
 def test_a_bounded_number_waits(worker: ReadingProcess) -> None:
-    asked = [begun(worker, READ), *(worker.ask(READ) for _ in range(WAITING + 3))]
+    asked = [begun(worker, READ), *(worker.ask(READ) for _ in range(own.WAITING + 3))]
     GATE.set()
-    assert results(*asked) == ["read"] * (WAITING + 1) + [BUSY] * 3
+    assert results(*asked) == ["read"] * (own.WAITING + 1) + [own.BUSY] * 3
 
 
 def test_networks_take_turns(worker: ReadingProcess) -> None:
@@ -149,24 +136,24 @@ def test_networks_take_turns(worker: ReadingProcess) -> None:
         if not reply.result().is_busy:
             done.append(network)
 
-    networks = [*[GREEDY] * (OF_A_NETWORK + 4), CALM, "", CALM]
+    networks = [*[GREEDY] * (own.OF_A_NETWORK + 4), CALM, "", CALM]
     asked = [begun(worker, ENDLESS, GREEDY), *(worker.ask(READ, network) for network in networks[1:])]
     for network, one in zip(networks, asked, strict=True):
         one.add_done_callback(partial(note, network))
     GATE.set()
-    assert results(*asked) == [WALK_TOO_LONG, *["read"] * OF_A_NETWORK, *[SHARED] * 3, *["read"] * 3]
+    assert results(*asked) == [own.WALK_TOO_LONG, *["read"] * own.OF_A_NETWORK, *[own.SHARED] * 3, *["read"] * 3]
     assert done[:5] == [GREEDY, CALM, "", GREEDY, CALM]
 
 
 def test_a_network_that_has_used_its_time_is_refused_for_a_while(
     worker: ReadingProcess, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(worker_process, "ALLOWANCE", 2)
+    monkeypatch.setattr(own, "ALLOWANCE", 2)
     GATE.set()
     with closing(ReadingProcess("fake")) as other:
-        assert results(other.ask(ENDLESS, GREEDY)) == results(other.ask(ENDLESS, GREEDY)) == [WALK_TOO_LONG]
+        assert results(other.ask(ENDLESS, GREEDY)) == results(other.ask(ENDLESS, GREEDY)) == [own.WALK_TOO_LONG]
         refused = other.ask(READ, GREEDY).result(60)
-        assert refused.refused == USED_UP and refused.is_busy and 0 < refused.after < 60
+        assert refused.refused == own.USED_UP and refused.is_busy and 0 < refused.after < 60
         assert results(other.ask(READ, CALM)) == ["read"]
 
 
@@ -195,15 +182,15 @@ def test_a_session_has_one_job_at_a_time_which_it_can_cancel_and_continues_meanw
     session.handle({**fit, "number": 5})
     assert [number for number, _ in answers()] == [2, 3, 4] and answers()[0][1] == ONE_AT_A_TIME
     GATE.set()
-    assert results(endless, worker.ask(READ)) == [WALK_TOO_LONG, "read"]
-    assert answers()[3:] == [(5, FIT_TOO_LONG)] and networks == [CALM, CALM]
+    assert results(endless, worker.ask(READ)) == [own.WALK_TOO_LONG, "read"]
+    assert answers()[3:] == [(5, own.FIT_TOO_LONG)] and networks == [CALM, CALM]
     GATE.clear()
     BEGAN.clear()
     endless = begun(worker, ENDLESS)
     session.handle({**fit, "number": 6})
     session.close()
     GATE.set()
-    assert results(endless, worker.ask(READ)) == [WALK_TOO_LONG, "read"] and len(sent) == 4
+    assert results(endless, worker.ask(READ)) == [own.WALK_TOO_LONG, "read"] and len(sent) == 4
 
 
 if __name__ == "__main__":

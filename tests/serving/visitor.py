@@ -8,17 +8,19 @@ from __future__ import annotations
 import asyncio
 import json
 import zlib
+from collections import defaultdict
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
-from tornado.httpclient import HTTPError, HTTPRequest
-from tornado.websocket import WebSocketClientConnection, WebSocketClosedError, websocket_connect
+from tornado.httpclient import HTTPError
+from tornado.websocket import WebSocketClientConnection, WebSocketClosedError
 
 from components.session.panel_bridge import FROM_SERVER
-from tests.attack.caller import ask, event, token_of
+from tests.attack.caller import ask, connect, event, token_of
 
 PATIENCE = 30.0  # seconds until a missing answer is an error
-
+LEFT = "the server closed the session"
 USUAL: dict[str, bytes] = {}
 """The preset dictionary of each sheet, which the visitors of a process fetch once."""
 
@@ -35,14 +37,10 @@ class Visitor:
     """One open session. `traffic` counts from its opening; only bytes that carry content are counted."""
 
     def __init__(self, socket: WebSocketClientConnection, url: str) -> None:
-        self._url = url
-        self._ended = False
         self.traffic = Traffic()
-        self._socket = socket
-        self._number = 0
-        self._arrived: dict[str, asyncio.Future[Any]] = {}
-        self._view = ""
-        self._reader: asyncio.Task[None] | None = None
+        self._url, self._socket, self._number, self._view = url, socket, 0, ""
+        self._arrived = defaultdict[str, asyncio.Future[Any]](asyncio.get_running_loop().create_future)
+        self._reader = asyncio.create_task(self._read())
 
     @classmethod
     async def arrive(cls, url: str, query: str = "scene=oscillator") -> Visitor:
@@ -52,9 +50,8 @@ class Visitor:
     @classmethod
     async def connect(cls, url: str, token: str, headers: dict[str, str] | None = None) -> Visitor:
         """Connect a page that has its token. Raises ConnectionError if no server accepts it."""
-        request = HTTPRequest(f"{url.replace('http', 'ws', 1)}ws", headers=headers or {}, connect_timeout=PATIENCE)
         try:
-            socket = await websocket_connect(request, subprotocols=["bokeh", token])
+            socket = await connect(url, token, headers)
         except (HTTPError, OSError) as error:
             raise ConnectionError(str(error)) from error
         if socket.protocol:
@@ -73,49 +70,47 @@ class Visitor:
 
     async def send(self, message: dict[str, Any]) -> dict[str, Any]:
         """Send a message of the page, and return its answer without the columns."""
-        self._number += 1
-        answered = self._expect(f"answer {self._number}")
         data = _encoded({**message, "number": self._number})
+        answer = f"answer {self._number}"
         await self._patch(event("from_browser", model={"id": self._view}, data=data))
-        told: dict[str, Any] = await asyncio.wait_for(answered, PATIENCE)
+        told: dict[str, Any] = await self._answer(answer)
         return told
 
     async def depart(self) -> None:
         """Leave and wait until the connection has ended, because an open socket can outlive the event loop."""
         self._socket.close()
-        if self._reader:
-            await asyncio.wait_for(self._reader, PATIENCE)
+        await asyncio.wait_for(self._reader, PATIENCE)
 
     async def _start(self) -> None:
-        welcome = self._expect("ACK")
-        self._reader = asyncio.create_task(self._read())
-        await asyncio.wait_for(welcome, PATIENCE)
-        pulled = self._expect(f"visitor-{self._number + 1}")
-        await self._send("PULL-DOC-REQ")
-        document = (await asyncio.wait_for(pulled, PATIENCE))["doc"]
-        self._view = next((model["id"] for model in document["roots"]), "")
+        await self._answer("ACK")
+        pulled = await self._answer(await self._send("PULL-DOC-REQ"))
+        self._view = next((model["id"] for model in pulled["doc"]["roots"]), "")
         await self._patch(event("document_ready"))
 
     async def _patch(self, event: dict[str, Any]) -> None:
         await self._send("PATCH-DOC", {"events": [event]})
 
-    async def _send(self, kind: str, content: dict[str, Any] | None = None) -> None:
+    async def _send(self, kind: str, content: dict[str, Any] | None = None) -> str:
+        """Send a message, and return the name of its answer."""
         self._number += 1
         name = f"visitor-{self._number}"
         for part in ({"msgid": name, "msgtype": kind}, {}, content or {}):
             try:
                 await self._socket.write_message(json.dumps(part))
             except WebSocketClosedError as error:
-                raise ConnectionError("the server closed the session") from error
+                raise ConnectionError(LEFT) from error
+        return name
 
-    def _expect(self, name: str) -> asyncio.Future[Any]:
-        if self._ended:
-            raise ConnectionError("the server closed the session")
-        self._arrived[name] = asyncio.get_running_loop().create_future()
-        return self._arrived[name]
+    async def _answer(self, name: str) -> Any:
+        """Wait until an answer arrives or the server closes."""
+        arrived = self._arrived[name]
+        await asyncio.wait((arrived, self._reader), timeout=PATIENCE, return_when=asyncio.FIRST_COMPLETED)
+        if not self._arrived.pop(name).done():
+            raise ConnectionError(LEFT) if self._reader.done() else TimeoutError(name)
+        return arrived.result()
 
     async def _read(self) -> None:
-        try:
+        with suppress(ConnectionError):
             while True:
                 header, _, content = [json.loads(await self._frame()) for _ in range(3)]
                 buffers = [await self._frame() for _ in range(2 * header.get("num_buffers", 0))]
@@ -123,18 +118,11 @@ class Visitor:
                 self._take(header.get("reqid", header["msgtype"]), content)
                 for told in await self._told(content, buffers[1::2]):
                     self._take(f"answer {told['answer']}", told)
-        except ConnectionError as closed:
-            self._ended = True
-            self._socket.close()
-            for waiting in self._arrived.values():
-                if not waiting.done():
-                    waiting.set_exception(closed)
-                    waiting.exception()  # no task may be left waiting for it
+        self._socket.close()
 
     def _take(self, name: str, content: Any) -> None:
-        waiting = self._arrived.pop(name, None)
-        if waiting and not waiting.done():
-            waiting.set_result(content)
+        if not self._arrived[name].done():
+            self._arrived[name].set_result(content)
 
     async def _told(self, content: dict[str, Any], buffers: list[Any]) -> list[dict[str, Any]]:
         """Return the messages in a patch, without their columns."""
@@ -157,7 +145,7 @@ class Visitor:
     async def _frame(self) -> str | bytes:
         frame = await self._socket.read_message()
         if frame is None:
-            raise ConnectionError("the server closed the session")
+            raise ConnectionError(LEFT)
         self.traffic.bytes += len(frame)
         return frame
 
