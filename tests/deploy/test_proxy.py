@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hmac
 import json
+import re
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -16,7 +17,6 @@ from components.serving.assets import assets
 from components.serving.headers import SAFE
 from tests.attack.caller import ask
 from tests.deploy.health import health_check
-from tests.live_class.caller import Answered
 from tests.serving.server import ROOT, free_port, serving
 from tools.deploy.site import COOKIE_SECRET, DeployedSite, behind_caddy, caddy, deployed
 
@@ -29,15 +29,11 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[DeployedSite]:
         yield running
 
 
-def safety_headers(reply: Answered) -> dict[str, str]:
-    return {name: reply.headers.get(name, "") for name in SAFE}
-
-
 def test_pages_of_the_proxy_and_of_the_lecture_have_the_same_safety_headers(site: DeployedSite) -> None:
     page, file = ask(site.url, "/"), ask(site.url, ASSET)
     for path in ("/metrics", "/liveness", "/readiness"):
         own = ask(site.url, path)
-        assert own.status == 404 and safety_headers(own) == safety_headers(page) == SAFE
+        assert own.status == 404 and SAFE.items() <= own.headers.items() and SAFE.items() <= page.headers.items()
         assert own.headers["Content-Security-Policy"].startswith("default-src 'none'")
     assert "frame-ancestors" in page.headers["Content-Security-Policy"]
     # The cookie that names the replica is signed, and not sent with cached files.
@@ -59,26 +55,19 @@ def test_a_proxy_without_replicas_is_healthy_and_says_that_the_lecture_does_not_
         unavailable = ask(proxy.url, "/?scene=coupled&k2=3")
     assert unavailable.status in (502, 503) and not {"Server", "Via"} & set(unavailable.headers)
     assert "The lecture does not answer now" in unavailable.text and 'http-equiv="refresh"' in unavailable.text
-    log = proxy.log.read_text()
-    assert "http.log.error" in log
-    assert not [line for line in log.splitlines() if "k2=3" in line or "remote_ip" in line]
-
-
-def parts(recipe: Any) -> Iterator[dict[str, Any]]:
-    """Yield all objects of a configuration, at any depth."""
-    if isinstance(recipe, dict):
-        yield recipe
-    for part in recipe.values() if isinstance(recipe, dict) else recipe if isinstance(recipe, list) else ():
-        yield from parts(part)
+    assert "http.log.error" in (log := proxy.log.read_text()) and not re.search("k2=3|remote_ip", log)
 
 
 def test_hsts_is_sent_except_on_localhost_where_it_would_cover_all_ports() -> None:
     command = [caddy(), "adapt", "--config", str(ROOT / "Caddyfile"), "--adapter", "caddyfile"]
     adapted = subprocess.run(command, capture_output=True, text=True, check=True, env={"SITE": "lecture.example"})
-    held = [
-        part["match"]
-        for part in parts(json.loads(adapted.stdout))
-        if "Strict-Transport-Security" in str(part.get("handle", [{}])[0].get("response"))
-    ]
+    held = list[Any]()
+
+    def note(part: dict[str, Any]) -> dict[str, Any]:
+        if "Strict-Transport-Security" in str(part.get("handle", [{}])[0].get("response")):
+            held.append(part["match"])
+        return part
+
+    json.loads(adapted.stdout, object_hook=note)
     assert len(held) == 2  # the lecture's pages, and the proxy's own pages
     assert all(match == [{"not": [{"host": ["localhost", "127.0.0.1", "::1"]}], "protocol": "https"}] for match in held)
