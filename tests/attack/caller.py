@@ -9,18 +9,16 @@ import re
 import zlib
 from typing import Any
 
-from tornado.httpclient import HTTPClientError
+from tornado.httpclient import HTTPClientError, HTTPRequest
 from tornado.websocket import WebSocketClientConnection, websocket_connect
 
-from tests.live_class.caller import Answered, call
+from tests.live_class.caller import call
 
 PATIENCE = 60.0
 """Seconds to wait for an answer of the server."""
 
 
-def ask(url: str, path: str = "/", method: str = "GET", **headers: str) -> Answered:
-    """Send one request without a body."""
-    return call(url, path, method, **headers)
+ask = call
 
 
 def token_of(page: str) -> str:
@@ -42,9 +40,9 @@ def _decoded(text: str) -> bytes:
     return base64.urlsafe_b64decode(text + "=" * (-len(text) % 4))
 
 
-async def connect(url: str, token: str) -> WebSocketClientConnection:
-    address = f"{url.replace('http', 'ws', 1)}ws"
-    return await asyncio.wait_for(websocket_connect(address, subprotocols=["bokeh", token]), PATIENCE)
+async def connect(url: str, token: str, headers: dict[str, str] | None = None) -> WebSocketClientConnection:
+    request = HTTPRequest(f"{url.replace('http', 'ws', 1)}ws", headers=headers)
+    return await asyncio.wait_for(websocket_connect(request, subprotocols=["bokeh", token]), PATIENCE)
 
 
 async def refused(url: str, token: str) -> int:

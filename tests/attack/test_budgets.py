@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import pytest
 from hypothesis import given, settings
 
@@ -17,7 +19,7 @@ from tests.attack.budgets import ABOUT, FILE, PICTURE, counted
 from tests.grids import sample, tries
 from tests.scenes.checks import as_arguments
 from tests.states import links
-from tools.attack.extremes import ExtremeValues, values
+from tools.attack.extremes import values
 
 HERE = "http://here/"
 WORST = (
@@ -35,7 +37,6 @@ WORST = (
     "scene=coupled&window=1e176",
 )
 """Links that once took seconds or failed without a reason."""
-scenes = pytest.mark.parametrize("slug", sample(list(SCENES), 3))
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -72,25 +73,16 @@ def test_the_slowest_links_stay_within_their_budgets(query: str) -> None:
     check_job(LinkExport(dict(arguments), HERE), FILE)
 
 
-@scenes
+@pytest.mark.parametrize("slug", sample(list(SCENES), 3))
+@pytest.mark.parametrize("kind", ["extremes", "any state"])
 @pytest.mark.timeout(600)
-def test_combined_extremes_stay_within_the_budgets(slug: str) -> None:
-    @settings(max_examples=tries(60))
-    @given(values(SCENES[slug]))
-    def page(link: ExtremeValues) -> None:
-        check(Link(slug, link))
-
-    page()
-
-
-@scenes
-@pytest.mark.timeout(600)
-def test_any_state_stays_within_the_budget_of_its_pictures(slug: str) -> None:
+def test_any_link_stays_within_the_budgets(slug: str, kind: str) -> None:
     """Resonances, equal values and critical damping need more digits than extreme values."""
+    drawn = links(SCENES[slug]) if kind == "any state" else values(SCENES[slug]).map(partial(Link, slug))
 
     @settings(max_examples=tries(60))
-    @given(links(SCENES[slug]))
+    @given(drawn)
     def page(link: Link) -> None:
-        check_page(link)
+        (check_page if kind == "any state" else check)(link)
 
     page()

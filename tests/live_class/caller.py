@@ -12,8 +12,6 @@ from typing import Any, NamedTuple
 from urllib.parse import urlsplit
 
 PATIENCE = 60.0
-
-
 TRACES = ("Traceback", 'File "', "site-packages", "Error:")
 
 
@@ -36,7 +34,9 @@ class Answered(NamedTuple):
         return not any(sign in self.text for sign in TRACES)
 
 
-def call(url: str, path: str, method: str = "GET", body: object = None, word: str = "", **headers: str) -> Answered:
+def call(
+    url: str, path: str = "/", method: str = "GET", body: object = None, word: str = "", **headers: str
+) -> Answered:
     """Send one request with a key or token. Underscores in header names become hyphens."""
     connection = HTTPConnection(urlsplit(url).netloc, timeout=PATIENCE)
     named = {name.replace("_", "-"): value for name, value in headers.items()}
@@ -120,12 +120,11 @@ async def streams_closed() -> AsyncIterator[None]:
 
 
 class Class:
-    """A class, and its instructor."""
+    """A class, and its instructor, whose requests a proxy may have sent for an address."""
 
-    def __init__(self, url: str, opened: dict[str, Any]) -> None:
-        self.url = url
+    def __init__(self, url: str, opened: dict[str, Any], address: str = "") -> None:
+        self.url, self.opened, self.headers = url, opened, {"X_Forwarded_For": address}
         self.code, self.key = opened["code"], opened["key"]
-        self.opened = opened
 
     @classmethod
     async def open(cls, url: str) -> Class:
@@ -133,16 +132,23 @@ class Class:
         assert answer.status == 200, answer.text
         return cls(url, answer.json)
 
+    async def ask(
+        self, path: str, method: str = "GET", body: object = None, word: str | None = None, url: str = ""
+    ) -> Answered:
+        """Send a request to an address of the class: with its key, or with another word or none."""
+        word = self.key if word is None else word
+        return await called(url or self.url, f"/class/{self.code}/{path}", method, body, word, **self.headers)
+
     async def order(self, type: str, **order: Any) -> Answered:
-        return await called(self.url, f"/class/{self.code}/lead", "POST", {"type": type, **order}, self.key)
+        return await self.ask("lead", "POST", {"type": type, **order})
 
     async def tally(self) -> Any:
-        return (await called(self.url, f"/class/{self.code}/tally", word=self.key)).json
+        return (await self.ask("tally")).json
 
     async def token(self, url: str = "") -> str:
         """Send the request of a follower who asks for news; the server counts everyone who asks."""
-        token: str = (await called(url or self.url, f"/class/{self.code}/token", "POST")).json["token"]
-        assert (await called(url or self.url, f"/class/{self.code}/now", word=token)).status == 200
+        token: str = (await self.ask("token", "POST", word="", url=url)).json["token"]
+        assert (await self.ask("now", word=token, url=url)).status == 200
         return token
 
     async def follow(self, url: str = "", keep: Callable[[bytes], Any] = json.loads) -> Stream:
@@ -153,41 +159,43 @@ class Class:
         return await Stream(self.url, self.code, self.key).open()
 
     async def vote(self, token: str, url: str = "", **vote: Any) -> Answered:
-        return await called(url or self.url, f"/class/{self.code}/answer", "PUT", vote, token)
+        return await self.ask("answer", "PUT", vote, token, url)
+
+    async def voted(self, token: str, **vote: Any) -> None:
+        """Send an answer, which is accepted."""
+        assert (await self.vote(token, **vote)).status == 204
 
 
 class Remote:
     """A phone as a remote control."""
 
-    def __init__(self, url: str, lesson: Class, digits: str, key: str) -> None:
-        self.url, self.lesson, self.digits, self.key = url, lesson, digits, key
+    def __init__(self, lesson: Class, digits: str, key: str) -> None:
+        self.lesson, self.digits, self.key = lesson, digits, key
 
     @staticmethod
-    async def secret(url: str, lesson: Class) -> str:
+    async def secret(lesson: Class) -> str:
         """Return the secret of a new ticket."""
-        ticket = (await called(url, f"/class/{lesson.code}/tickets", "POST", word=lesson.key)).json["address"]
+        ticket = (await lesson.ask("tickets", "POST")).json["address"]
         return str(ticket.partition("remote=")[2])
 
     @classmethod
-    async def wait(cls, url: str, lesson: Class) -> Remote | None:
+    async def wait(cls, lesson: Class) -> Remote | None:
         """Return a phone that has scanned a ticket and waits to be admitted; None if too many wait."""
-        secret = {"address": await cls.secret(url, lesson)}
-        paired = await called(url, f"/class/{lesson.code}/remote", "PUT", secret)
-        return cls(url, lesson, **paired.json) if paired.status == 200 else None
+        paired = await lesson.ask("remote", "PUT", {"address": await cls.secret(lesson)}, word="")
+        return cls(lesson, **paired.json) if paired.status == 200 else None
 
     @classmethod
-    async def pair(cls, url: str, lesson: Class) -> Remote:
-        remote = await cls.wait(url, lesson)
+    async def pair(cls, lesson: Class) -> Remote:
+        remote = await cls.wait(lesson)
         assert remote and (await remote.decide()).status == 200
         return remote
 
     async def decide(self, method: str = "PUT", digits: str = "") -> Answered:
         """The instructor's page admits or refuses it."""
-        path, body = f"/class/{self.lesson.code}/tickets", {"digits": digits or self.digits}
-        return await called(self.url, path, method, body, self.lesson.key)
+        return await self.lesson.ask("tickets", method, {"digits": digits or self.digits})
 
     async def look(self, after: str = "") -> Answered:
-        return await called(self.url, f"/class/{self.lesson.code}/remote?after={after}", word=self.key)
+        return await self.lesson.ask(f"remote?after={after}", word=self.key)
 
     async def press(self, **done: str) -> Answered:
-        return await called(self.url, f"/class/{self.lesson.code}/remote", "POST", done, self.key)
+        return await self.lesson.ask("remote", "POST", done, self.key)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 from components.live_class.codes import SIGNS, Keys, code_of, join_key
@@ -82,44 +82,41 @@ MESSAGES = {
 """Messages by method and route, with whatever distinguishes several of one route. An order has its type in the name."""
 
 
-class Client:
-    """A client at an address that leads a class."""
+class Client(Class):
+    """A class whose instructor sends any message. `words` has the words of members; without it each message of a phone
+    has a new one.
+    """
 
-    def __init__(self, url: str, lesson: Class, address: str) -> None:
-        self.url, self.lesson, self.address = url, lesson, address
+    words: Mapping[str, str] = {}
 
-    async def ask(self, path: str, method: str = "GET", body: object = None, word: str = "") -> Answered:
-        return await called(self.url, path, method, body, word, X_Forwarded_For=self.address)
-
-    async def phone(self) -> str:
-        """Return the token of a new phone that has entered by the QR code and asked for news."""
-        path = f"/class/{self.lesson.code}"
-        token: str = (await self.ask(f"{path}/token", "POST", word=join_key(self.lesson.key))).json["token"]
-        await self.ask(f"{path}/now", word=token)
-        return token
-
-    async def send(self, name: str, n: int) -> Answered | None:
+    async def send(self, name: str, n: int = 0, **other: Any) -> Answered | None:
+        """Send a message, or one with another code, word, body, method or headers."""
         method, route, *_ = name.split(" ")
         kind, body, query = MESSAGES[name]
-        code, word, sent = self.lesson.code, "", body(n) if body else None
+        own = {"code": self.code, "body": body(n) if body else None, "method": method}
+        own |= {"word": self.words.get(kind, "")} if self.words else await self._new(kind, n)
+        sent = {**own, **self.headers, **other}
+        code = sent.pop("code")
+        if route.endswith("events") and not self.words:
+            await (await Stream(self.url, code, sent["word"]).open()).close()
+            return None
+        return await called(self.url, route.replace("CODE", code).replace("WORD", "ABCDEFGH") + query(n), **sent)
+
+    async def _new(self, kind: str, n: int) -> dict[str, Any]:
+        """Return a word of a kind, with the code or the body that belongs to it."""
         match kind:
-            case "key":
-                word = self.lesson.key
             case "new key":
                 word = Keys().new()
-                code = code_of(word)
+                return {"word": word, "code": code_of(word)}
             case "none":  # almost certainly the code of no class; each number gives another
-                code, word = "".join(SIGNS[n // 30**i % 30] for i in range(4)), f"{n}.x"
-            case "join":
-                word = join_key(self.lesson.key)
-            case "phone":
-                word = await self.phone()
+                return {"word": f"{n}.x", "code": "".join(SIGNS[n // 30**i % 30] for i in range(4))}
+            case "phone":  # enters by the QR code and asks for news
+                token = (await self.ask("token", "POST", word=join_key(self.key))).json["token"]
+                await self.ask("now", word=token)
+                return {"word": token}
             case "ticket":
-                sent = {"address": await Remote.secret(self.url, self.lesson)}
+                return {"word": "", "body": {"address": await Remote.secret(self)}}
             case "remote":  # replaces the last one; some are refused, because too many wait
-                remote = await Remote.wait(self.url, self.lesson)
-                word = remote.key if remote and (await remote.decide()).status == 200 else ""
-        if route.endswith("events"):
-            await (await Stream(self.url, code, word).open()).close()
-            return None
-        return await self.ask(route.replace("CODE", code).replace("WORD", "ABCDEFGH") + query(n), method, sent, word)
+                remote = await Remote.wait(self)
+                return {"word": remote.key if remote and (await remote.decide()).status == 200 else ""}
+        return {"word": {"key": self.key, "join": join_key(self.key)}.get(kind, "")}

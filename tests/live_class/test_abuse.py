@@ -10,7 +10,7 @@ from collections.abc import Awaitable, Callable
 from functools import partial
 from itertools import pairwise
 from types import CoroutineType, FrameType, FunctionType, ModuleType
-from typing import Any, NamedTuple, get_args
+from typing import Any, get_args
 
 import pytest
 import redis
@@ -19,11 +19,11 @@ from tornado.web import RequestHandler
 from components.language.class_messages import YEAR_2100, Order
 from components.live_class import follower_routes, instructor_routes, lead_routes, registry, remotes, room
 from components.live_class.codes import join_key
-from components.live_class.context import ClassContext
 from components.live_class.routes import CODE, LiveClass
 from components.live_class.store import MemoryStore, Store
+from components.serving.visitors import Rate
 from tests.grids import WHOLE
-from tests.live_class.caller import Answered, Class, Remote, called
+from tests.live_class.caller import Answered, Class, Remote
 from tests.live_class.messages import MESSAGES, Client
 from tests.live_class.served import BANK, CHOICE, served, taught
 from tests.live_class.stores import KINDS, Valkey, made, set_limits
@@ -52,22 +52,7 @@ def test_the_table_has_each_route_and_order_of_the_product() -> None:
     }
 
 
-class Attacked(NamedTuple):
-    """A class, the words of its members and of another class, and the limits of its server."""
-
-    lesson: Class
-    words: dict[str, str]
-    classes: ClassContext
-
-    async def send(
-        self, route: str, code: str = "", word: str | None = None, body: Any = None, **more: Any
-    ) -> Answered:
-        """Send the right message of a route, or with another code, word, body, method or header."""
-        (method, path), sent = route.split(" "), MESSAGES[NAMES[route]]
-        path = path.replace("CODE", code or self.lesson.code) + sent.query(0)
-        word = self.words.get(sent.word, "") if word is None else word
-        body = sent.body(0) if body is None and sent.body else body
-        return await called(self.lesson.url, path, more.pop("method", method), body, word, **more)
+Act = Callable[[Client, str], Awaitable[list[Answered | None]]]
 
 
 async def contents(kept: Store, *lessons: Class) -> Any:
@@ -77,55 +62,55 @@ async def contents(kept: Store, *lessons: Class) -> Any:
     ], await kept.rooms()
 
 
-def sending(**given: Any) -> Callable[[Attacked, str], Awaitable[list[Answered]]]:
-    async def act(on: Attacked, route: str) -> list[Answered]:
-        return [await on.send(route, **given)]
+def sending(**given: Any) -> Act:
+    async def act(on: Client, route: str) -> list[Answered | None]:
+        return [await on.send(NAMES[route], **given)]
 
     return act
 
 
-async def no_word(on: Attacked, route: str) -> list[Answered]:
+async def no_word(on: Client, route: str) -> list[Answered | None]:
     """The answers are the same for a code of no class, so nobody learns which codes are taken."""
-    codes, answers = (on.lesson.code, "2222" if on.lesson.code != "2222" else "3333"), list[Answered]()
+    codes, answers = (on.code, "2222" if on.code != "2222" else "3333"), list[Answered | None]()
     for word in ("", "x" * 32, "made.up", on.words["another key"], on.words["another phone"]):
-        there, nowhere = [await on.send(route, code, word) for code in codes]
-        assert there[:2] == nowhere[:2]
+        there, nowhere = [await on.send(NAMES[route], code=code, word=word) for code in codes]
+        assert there and nowhere and there[:2] == nowhere[:2]
         answers += [there, nowhere]
     return answers
 
 
-async def other_member(on: Attacked, route: str) -> list[Answered]:
+async def other_member(on: Client, route: str) -> list[Answered | None]:
     """No member of a class can do what another may, but all can follow."""
     own = MESSAGES[NAMES[route]].word
     others = {"key": ("phone", "remote"), "phone": (), "remote": ("key", "phone")}[own]
-    return [await on.send(route, word=on.words[other]) for other in others]
+    return [await on.send(NAMES[route], word=on.words[other]) for other in others]
 
 
-async def too_many(on: Attacked, route: str) -> list[Answered]:
+async def too_many(on: Client, route: str) -> list[Answered | None]:
     with pytest.MonkeyPatch.context() as patch:
-        for rate in (on.classes.rate, on.classes.openings):
-            patch.setattr(rate, "most", 0.5)
+        patch.setattr(Rate, "admit", lambda *_: 1.0)
         for module in (follower_routes, lead_routes):
             patch.setattr(module, "MISSES", 1)
         await on.send("PUT /class/CODE/word")  # a wrong guess
-        refused = await on.send(route, word="" if route == "POST /class/CODE/token" else None)
-    assert float(refused.headers["Retry-After"]) >= 1
+        refused = await on.send(NAMES[route], **({"word": ""} if route == "POST /class/CODE/token" else {}))
+    assert refused and float(refused.headers["Retry-After"]) >= 1
     return [refused]
 
 
-async def no_place(on: Attacked, route: str) -> list[Answered]:
+async def no_place(on: Client, route: str) -> list[Answered | None]:
     """The instructor needs no place."""
     answers = []
     for limit in ("MOST_FOLLOWERS", "ALL_FOLLOWERS"):
         with pytest.MonkeyPatch.context() as patch:
             patch.setattr(follower_routes, limit, 1)
-            answers.append(await on.send(route, word=on.words["new phone"]))
-            assert (await on.send("GET /class/CODE/now", word=on.lesson.key)).status == 200
+            answers.append(await on.send(NAMES[route], word=on.words["new phone"]))
+            assert (await on.ask("now")).status == 200
     return answers
 
 
 NOT_YOURS = {403, 404, 409}
-ABUSES: dict[str, tuple[Callable[[Attacked, str], Awaitable[list[Answered]]], list[str], set[int]]] = {
+NO_MESSAGES: list[Any] = [b"", [], {"type": 5}, b'{"type": "\xff"}', b"[" * 5000]
+ABUSES: dict[str, tuple[Act, list[str], set[int]]] = {
     "another site": (sending(Origin="https://elsewhere.example"), ROUTES, {403}),
     "another host": (sending(Host="elsewhere.example"), ROUTES, {403}),
     "another method": (sending(method="PATCH"), ROUTES, {405}),
@@ -133,11 +118,7 @@ ABUSES: dict[str, tuple[Callable[[Attacked, str], Awaitable[list[Answered]]], li
     "the word of another member": (other_member, OF_A_MEMBER, NOT_YOURS),
     "a closed class": (sending(), OF_A_CODE, NOT_YOURS | {410}),
     "too large": (sending(body={"type": "x" * 64_000}), WITH_BODY, {413}),
-    "no message": (sending(body=b""), WITH_BODY, {400}),
-    "a list": (sending(body=[]), WITH_BODY, {400}),
-    "of no type": (sending(body={"type": 5}), WITH_BODY, {400}),
-    "no text": (sending(body=b'{"type": "\xff"}'), WITH_BODY, {400}),
-    "no end of lists": (sending(body=b"[" * 5000), WITH_BODY, {400}),
+    **{f"the body {body!s:.12}": (sending(body=body), WITH_BODY, {400}) for body in NO_MESSAGES},
     "too many": (too_many, LIMITED, {429}),
     "no place": (no_place, ["GET /class/CODE/events", "GET /class/CODE/now"], {503}),
 }
@@ -159,9 +140,11 @@ async def test_every_route_answers_an_abuse_in_a_sentence_and_nothing_is_lost(
         for one in (lesson, other):
             await one.order("put", **CHOICE)
         key, token, kept = lesson.key, await other.token(), server.classes.registry.store
-        words = {"key": key, "new key": key, "join": join_key(key), "remote": (await Remote.pair(url, lesson)).key}
+        words = {"key": key, "new key": key, "join": join_key(key), "remote": (await Remote.pair(lesson)).key}
         words |= {"phone": await lesson.token(), "another key": other.key, "another phone": token}
-        words["new phone"] = (await called(url, f"/class/{lesson.code}/token", "POST")).json["token"]
+        words["new phone"] = (await lesson.ask("token", "POST", word="")).json["token"]
+        attacker = Client(url, lesson.opened)
+        attacker.words = words
         if "a closed class" in abuses:
             await lesson.order("end")
         server.classes.rate.most = 30 if "no word" in abuses else 1e6
@@ -170,12 +153,12 @@ async def test_every_route_answers_an_abuse_in_a_sentence_and_nothing_is_lost(
             act, routes, statuses = ABUSES[abuse]
             for route in routes:
                 with subtests.test(f"{abuse}: {route}"):
-                    for answer in await act(Attacked(lesson, words, server.classes), route):
-                        assert answer.status in statuses and answer.json["sentence"].endswith(".")
+                    for answer in await act(attacker, route):
+                        assert answer and answer.status in statuses and answer.json["sentence"].endswith(".")
         assert await contents(kept, lesson, other) == before
         if "no word" in abuses:  # strangers do not use up the limit of the instructor
-            assert (await called(url, f"/class/{lesson.code}/lead", word=key)).status == 200
-        assert (await other.vote(token, **CHOICE, option=2)).status == 204
+            assert (await lesson.ask("lead")).status == 200
+        await other.voted(token, **CHOICE, option=2)
         assert (await other.tally())["now"]["options"] == [0, 0, 1]
 
 
@@ -224,14 +207,15 @@ REFUSED: list[tuple[str, Any, int]] = [
 
 async def test_what_is_no_message_of_a_page_is_refused_and_nothing_is_stored(subtests: pytest.Subtests) -> None:
     async with taught() as (server, url, lesson):
-        words = {"remote": (await Remote.pair(url, lesson)).key, "key": lesson.key, "phone": await lesson.token()}
+        client = Client(url, lesson.opened)
+        client.words = {"remote": (await Remote.pair(lesson)).key, "key": lesson.key, "phone": await lesson.token()}
         stored = partial(contents, server.classes.registry.store, lesson)
         for route, body, status in REFUSED:
             await lesson.order("put", **(SKETCH if body.get("walk") == "d34" else CHOICE))
             before = await stored()
             with subtests.test(f"{route} {str(body)[:60]}"):
-                answer = await Attacked(lesson, words, server.classes).send(route, body=body)
-                assert answer.status == status and answer.json["sentence"].endswith(".")
+                answer = await client.send(NAMES[route], body=body)
+                assert answer and answer.status == status and answer.json["sentence"].endswith(".")
                 assert await stored() == before
 
 
@@ -286,8 +270,8 @@ async def test_many_messages_of_a_kind_leave_no_more_than_some(
         rooms = server.classes.registry
         for i, name in enumerate(MESSAGES):
             code, key = await rooms.open()
-            sender = Client(url, Class(url, {"code": code, "key": key}), f"198.51.{i}.1")
-            await sender.lesson.order("put", **CHOICE)
+            sender = Client(url, {"code": code, "key": key}, f"198.51.{i}.1")
+            await sender.order("put", **CHOICE)
             sizes, statuses = list[int](), Counter[int]()
             for turn in range(3):
                 for number in range(turn * ROUND, (turn + 1) * ROUND):
@@ -297,4 +281,4 @@ async def test_many_messages_of_a_kind_leave_no_more_than_some(
             with subtests.test(name):
                 assert min(statuses) < 400 or name in OFTEN_REFUSED
                 assert min(more - some for some, more in pairwise(sizes)) < STEADY
-            await sender.lesson.order("end")
+            await sender.order("end")

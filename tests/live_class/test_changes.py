@@ -18,7 +18,7 @@ from components.live_class import upkeep as upkeeps
 from components.live_class.publisher import Publisher
 from components.live_class.registry import ClosedError, Registry
 from components.live_class.room import ClassRoom
-from components.live_class.store import FullError, MemoryStore, Parts, UnreachableError
+from components.live_class.store import FullError, MemoryStore, Parts, Store, UnreachableError
 from components.live_class.upkeep import Upkeep
 from components.scenes import SCENES
 from components.session.session import Session
@@ -34,7 +34,7 @@ CLOCK_PART = msgspec.json.encode(CLOCK)
 class Wayward(MemoryStore):
     """A store that can become unreachable; `meanwhile` runs between its look-up of a class and its answer."""
 
-    away = False
+    away, refused = False, 0
     meanwhile: Callable[[], Awaitable[object]] | None = None
 
     async def parts(self, code: str) -> Parts:
@@ -51,18 +51,8 @@ class Wayward(MemoryStore):
 
     def _check(self) -> None:
         if self.away:
+            self.refused += 1
             raise UnreachableError("away")
-
-
-@asynccontextmanager
-async def rooms() -> AsyncIterator[tuple[Wayward, Registry, str, str]]:
-    """A registry that listens to its store, and an open class."""
-    store = Wayward()
-    registry = Registry(store, BANK)
-    listening = asyncio.create_task(store.listen(registry.receive, lambda: None))
-    await asyncio.sleep(0)
-    yield store, registry, *await registry.open()
-    listening.cancel()
 
 
 @pytest.fixture
@@ -73,22 +63,25 @@ def quick(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @asynccontextmanager
-async def kept(store: Wayward) -> AsyncIterator[tuple[Registry, Upkeep, ClassRoom, Listener]]:
-    """A registry with its upkeep, and a class that is led."""
+async def kept(store: Store) -> AsyncIterator[tuple[Registry, Upkeep, str, ClassRoom, Listener]]:
+    """A registry with its upkeep, and the key of a class that is led."""
     registry = Registry(store, BANK)
     upkeep, listener = Upkeep(registry), Listener(leads=True)
     upkeep.start()
     await until(lambda: upkeep.listening)
-    room = await registry.led(*await registry.open())
+    code, key = await registry.open()
+    room = await registry.led(code, key)
     room.listeners.add(listener)
     try:
-        yield registry, upkeep, room, listener
+        yield registry, upkeep, key, room, listener
     finally:
         await upkeep.end()
 
 
 async def test_news_during_the_look_up_of_a_class_is_received() -> None:
-    async with rooms() as (store, registry, code, key):
+    store = Wayward()
+    async with kept(store) as (registry, _, key, room, _):
+        code = registry.rooms.pop(room.code).code
         store.meanwhile = lambda: MemoryStore.keep(store, code, {"clock": CLOCK_PART})
         room = await registry.room(code)
         assert room.whole().clock == CLOCK and await registry.led(code, key) is room
@@ -100,12 +93,12 @@ async def test_news_during_the_look_up_of_a_class_is_received() -> None:
 
 
 async def test_a_look_at_the_store_brings_nothing_older_back_and_the_store_gets_what_it_has_missed(quick: None) -> None:
-    store = Wayward()
-    async with kept(store) as (registry, _, room, listener):
-        await registry.show(room, SentPicture(sheet="s", data=b"1"))
-        store.meanwhile = lambda: registry.show(room, SentPicture(sheet="s", data=b"2"))
-        await until(lambda: store.meanwhile is None and room.whole().picture == SentPicture(sheet="s", data=b"2"))
-        assert [news.picture.data for news in listener.news if news.picture] == [b"1", b"2"]
+    store, first, second = Wayward(), SentPicture(sheet="s", data=b"1"), SentPicture(sheet="s", data=b"2")
+    async with kept(store) as (registry, _, _, room, listener):
+        await registry.show(room, first)
+        store.meanwhile = lambda: registry.show(room, second)
+        await until(lambda: store.meanwhile is None and room.whole().picture == second)
+        assert [news.picture for news in listener.news if news.picture] == [first, second]
         await registry.obey(room, PutQuestion(walk="d31", step="d31-02"))
         store.away = True
         await registry.obey(room, PutQuestion(**CHOICE))
@@ -117,25 +110,16 @@ async def test_a_look_at_the_store_brings_nothing_older_back_and_the_store_gets_
 
 async def test_who_leads_again_and_leaves_asks_a_store_that_is_away_no_more(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(publisher, "AGAIN", 0.001)
-
-    async with rooms() as (store, registry, code, key):
-        store.away = True
-        session, asked = Session(fitted(SCENES["coupled"]().value)), 0
+    store = Wayward()
+    async with kept(store) as (registry, _, key, room, _):
+        code, session = registry.rooms.pop(room.code).code, Session(fitted(SCENES["coupled"]().value))
         session.lead = lambda *given: Publisher(registry, *given)
-        led = registry.led
-
-        async def counted(*given: str) -> ClassRoom:
-            nonlocal asked
-            asked += 1
-            return await led(*given)
-
-        monkeypatch.setattr(registry, "led", counted)
-        before = len(asyncio.all_tasks())
+        store.away, before = True, len(asyncio.all_tasks())
         for number in range(50):
             session.handle({"type": "lead", "code": code, "key": key, "number": number})
             await asyncio.sleep(0)
         assert len(asyncio.all_tasks()) - before <= 2  # the last picture, and the one before it, which is being sent
-        await until(lambda: asked > 60)
+        await until(lambda: store.refused > 60)
         session.close()
         await asyncio.sleep(0.01)
         assert len(asyncio.all_tasks()) == before
@@ -148,7 +132,7 @@ async def test_a_store_that_cannot_be_used_as_it_should_is_logged_once(
     quick: None, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     """It has news of another version, stays away, has another time, or is full."""
-    store, asked, listen, refused = Wayward(), 0, Wayward.listen, list[object]()
+    asked, listen, refused = 0, Wayward.listen, list[object]()
 
     async def listened(own: Wayward, receive: Any, ready: Callable[[], None]) -> None:
         nonlocal asked
@@ -165,7 +149,7 @@ async def test_a_store_that_cannot_be_used_as_it_should_is_logged_once(
         raise FullError("The store is full.")
 
     monkeypatch.setattr(Wayward, "listen", listened)
-    async with kept(store) as (_, upkeep, room, _):
+    async with kept(store := Wayward()) as (_, upkeep, _, room, _):
         await store.publish(room.code, {"clock": b'{"type":"another version"}'})
         await store.publish(room.code, {"clock": CLOCK_PART})
         await until(lambda: upkeep.rooms == 1)
@@ -179,16 +163,13 @@ async def test_a_store_that_cannot_be_used_as_it_should_is_logged_once(
 
 
 async def test_a_class_continues_without_the_store_and_is_written_back(valkey: Valkey) -> None:
-    async with made("valkey", valkey.url) as one, made("valkey", valkey.url) as other:
-        registry, second = Registry(one, BANK), Registry(other, BANK)
-        upkeeps = [Upkeep(registry), Upkeep(second)]
-        for upkeep in upkeeps:
-            upkeep.start()
-        await until(lambda: all(upkeep.listening for upkeep in upkeeps))
-        code, key = await registry.open()
-        room, there = await registry.led(code, key), await second.room(code)
-        leader, follower = Listener(leads=True), Listener()
-        room.listeners.add(leader)
+    async with (
+        made("valkey", valkey.url) as one,
+        made("valkey", valkey.url) as other,
+        kept(one) as (registry, _, key, room, leader),
+        kept(other) as (second, *_),
+    ):
+        there, follower = await second.room(room.code), Listener()
         there.listeners.add(follower)
         await registry.obey(room, PutQuestion(**CHOICE))
         await until(lambda: there.question.step)
@@ -202,6 +183,4 @@ async def test_a_class_continues_without_the_store_and_is_written_back(valkey: V
         await until(lambda: any(news.picture for news in follower.news) and not there.lost)
         tally = await second.tally(there)
         assert tally and tally.now.options == (0, 1, 0)
-        assert await second.led(code, key) is there
-        for upkeep in upkeeps:
-            await upkeep.end()
+        assert await second.led(room.code, key) is there

@@ -26,19 +26,17 @@ async def test_what_the_instructor_shows_reaches_followers_as_the_same_message()
         stream = await lesson.follow()
         for header in ("text/event-stream", "X-Accel-Buffering: no", "no-store", f"Lecture-Version: {version()}"):
             assert header in stream.headers
-        stranger = await Visitor.arrive(url, "scene=coupled")
+        stranger, visitor = [await Visitor.arrive(url, "scene=coupled") for _ in range(2)]
         await stranger.send({"type": "lead", "code": lesson.code, "key": "x" * 32})
         await stranger.send({"type": "set", "values": {"k2": 1.5}})
-        visitor = await Visitor.arrive(url, "scene=coupled")
         await visitor.send({"type": "lead", "code": lesson.code, "key": lesson.key})
         first = await stream.until(lambda event: event.get("picture"))
-        await visitor.send({"type": "set", "values": {"k2": 3.5}})
+        await visitor.move("k2", 3.5)
         told = await stream.until(lambda event: event.get("picture") and event != first)
-        assert len(told["picture"]["data"]) < 5000
         sheet, data = told["picture"]["sheet"], base64.b64decode(told["picture"]["data"])
         text = text_of({"sheet": sheet, "data": data}, await visitor.dictionary(sheet))
-        assert b'"k2":3.5' in text and b'"answer":null' in text
-        await visitor.send({"type": "set", "values": {"k2": -1.0}})  # refusals are not sent to the class
+        assert len(data) < 3800 and b'"k2":3.5' in text and b'"answer":null' in text
+        await visitor.move("k2", -1.0)  # refusals are not sent to the class
         late = await lesson.follow()
         assert (await late.until(lambda event: event.get("picture")))["picture"] == told["picture"]
         assert len([event for _, event in stream.heard if "picture" in event]) == 2
@@ -46,21 +44,23 @@ async def test_what_the_instructor_shows_reaches_followers_as_the_same_message()
         await asyncio.gather(visitor.depart(), stranger.depart())
 
 
-async def test_a_follower_learns_what_is_said_of_its_answer_when_it_is_shown() -> None:
-    async with taught() as (_, url, lesson):
+async def test_a_follower_learns_what_is_said_of_its_answer_when_it_is_shown_and_the_instructor_gets_a_table() -> None:
+    async with taught() as (_, _, lesson):
         await lesson.order("put", **CHOICE)
-        token, path = await lesson.token(), f"/class/{lesson.code}/answer"
+        token = await lesson.token()
         for option in (1, 0):
-            assert (await lesson.vote(token, **CHOICE, option=option)).status == 204
-        hidden = await called(url, path, "POST", {**CHOICE, "option": 1}, token)
-        assert (hidden.status, hidden.text) == (204, "")  # not shown yet, or taken back before the phone knows
+            await lesson.voted(token, **CHOICE, option=option)
+
+        async def shown(**answer: Any) -> Answered:
+            return await lesson.ask("answer", "POST", {**CHOICE, **answer}, token)
+
+        assert (await shown(option=1))[:2] == (204, "")  # not shown yet, or taken back before the phone knows
         await lesson.order("show")
-        gone = await called(url, path, "POST", {**CHOICE, "step": "d31-02", "text": "2"}, token)
-        assert gone.status == 204  # nothing is sent for another question
-        assert (await called(url, path, "POST", {**CHOICE, "option": 7}, token)).status == 400
-        reply = (await called(url, path, "POST", {**CHOICE, "option": 1}, token)).json
+        assert (await shown(step="d31-02", text="2")).status == 204  # nothing is sent for another question
+        assert (await shown(option=7)).status == 400
+        reply = (await shown(option=1)).json
         assert reply["type"] == "taught" and reply["lesson"]["right"] is False
-        table = await called(url, f"/class/{lesson.code}/answers.csv", word=lesson.key)
+        table = await lesson.ask("answers.csv")
         assert table.headers["Content-Type"] == "text/csv; charset=utf-8"
         (row,) = DictReader(table.text.splitlines())
         assert (row["question"], row["right"]) == ("How long does one swing take?", "yes")
@@ -68,29 +68,27 @@ async def test_a_follower_learns_what_is_said_of_its_answer_when_it_is_shown() -
 
 async def test_pages_without_a_stream_poll_and_get_all_news() -> None:
     """An instructor's page gets its own news one by one, and none of another replica."""
-    async with taught() as (server, url, lesson):
-        token, path = await lesson.token(), f"/class/{lesson.code}/now?after="
+    async with taught() as (server, _, lesson):
+        token, path = await lesson.token(), "now?after="
         await lesson.order("put", **CHOICE)
-        first = (await called(url, path, word=token)).json
-        known = (await called(url, path, word=lesson.key)).json["number"]
+        first, known = (await lesson.ask(path, word=token)).json, (await lesson.ask(path)).json["number"]
         assert first["question"]["step"] == first["question"]["card"]["id"] == "d31-03"
-        assert (await called(url, path + first["number"], word=token)).status == 204
-        await lesson.vote(token, **CHOICE, option=1)
+        assert (await lesson.ask(path + first["number"], word=token)).status == 204
+        await lesson.voted(token, **CHOICE, option=1)
         server.classes.registry.rooms[lesson.code].deliver({"deed": b'"next"'})
         heard = []
-        while (answer := await called(url, path + known, word=lesson.key)).status == 200:
+        while (answer := await lesson.ask(path + known)).status == 200:
             known = answer.json["number"]
             heard.append((answer.json.get("answers", False), answer.json.get("deed", "")))
         assert heard == [(True, ""), (False, "next")]
         for page, word in (("x.9", lesson.key), (first["number"], token)):
-            assert "deed" not in (await called(url, path + page, word=word)).text
+            assert "deed" not in (await lesson.ask(path + page, word=word)).text
 
 
 async def test_codes_cannot_be_guessed_and_a_class_that_mistypes_comes_in(monkeypatch: pytest.MonkeyPatch) -> None:
     hits = 10 * follower_routes.MISSES * 4 * 60 / 30**4
     assert hits < 1 and follower_routes.MISSES >= 300
     monkeypatch.setattr(follower_routes, "MISSES", 4)
-
     async with taught(trusted_proxies=("127.0.0.1",)) as (_, url, lesson):
 
         async def enter(code: str, address: str, word: str = "") -> int:
@@ -108,21 +106,20 @@ async def test_codes_cannot_be_guessed_and_a_class_that_mistypes_comes_in(monkey
 
 
 async def test_a_remote_control_is_let_in_once_by_the_digits_that_it_shows() -> None:
-    async with taught() as (_, url, lesson):
-        leader, path = await lesson.lead(), f"/class/{lesson.code}"
-        secret = {"address": await Remote.secret(url, lesson)}
-        remote = Remote(url, lesson, **(await called(url, f"{path}/remote", "PUT", secret)).json)
-        assert (await called(url, f"{path}/remote", "PUT", secret)).status == 403
+    async with taught() as (_, _, lesson):
+        leader, secret = await lesson.lead(), {"address": await Remote.secret(lesson)}
+        remote = Remote(lesson, **(await lesson.ask("remote", "PUT", secret, word="")).json)
+        assert (await lesson.ask("remote", "PUT", secret, word="")).status == 403
         assert (await leader.until(lambda event: event.get("remotes")))["remotes"] == [remote.digits]
         assert (await remote.look()).json is None and (await remote.press(deed="next")).status == 403
         assert (await remote.decide(digits="10" if remote.digits != "10" else "11")).status == 409
         assert (await remote.decide()).json["control"]
         await lesson.order("put", walk="d34", step="d34-02")
-        assert (await called(url, f"{path}/steps", word=remote.key)).json[6]["step"] == "d34-07"
+        assert (await lesson.ask("steps", word=remote.key)).json[6]["step"] == "d34-07"
         for done in ({"deed": "next"}, {"deed": "go", "step": "d34-04"}):
             assert (await remote.press(**done)).status == 204
             await leader.until(lambda event, done=done: done.items() <= event.items())
-        other = await Remote.wait(url, lesson)
+        other = await Remote.wait(lesson)
         assert other and (await other.decide("DELETE")).status == 204
         refused = await other.look()
         assert refused.status == 403 and refused.json["sentence"].startswith("The lecturer's screen has not")
@@ -130,8 +127,8 @@ async def test_a_remote_control_is_let_in_once_by_the_digits_that_it_shows() -> 
 
 async def test_a_remote_control_has_the_answer_and_the_notes_before_they_are_shown_and_phones_have_neither() -> None:
     noted = OWN["mine"] + 'notes = """\nShow the *real* spring.\n\nThen wait."""\n'
-    async with taught() as (_, url, lesson):
-        remote, stream = await Remote.pair(url, lesson), await lesson.follow()
+    async with taught() as (_, _, lesson):
+        remote, stream = await Remote.pair(lesson), await lesson.follow()
         for name, text in (("noted", noted), ("why", OWN["why"])):
             await lesson.order("walk", name=name, text=text)
         await lesson.order("put", walk="noted", step="one")
@@ -142,7 +139,7 @@ async def test_a_remote_control_has_the_answer_and_the_notes_before_they_are_sho
         assert (await remote.look(view["number"])).status == 204
         for asked, given in (({"walk": "d31", "step": "d31-02"}, "2"), ({"walk": "why", "step": "why"}, "secret")):
             await lesson.order("put", **asked)
-            assert (await lesson.vote(await lesson.token(), **asked, text=given)).status == 204
+            await lesson.voted(await lesson.token(), **asked, text=given)
             now = (await remote.look()).json["tally"]["now"]
             assert now["answered"] == 1 and now["numbers"] == []  # none of them single
         for deed, words in (("allow", [True]), ("remove", [])):
@@ -154,31 +151,31 @@ async def test_a_remote_control_has_the_answer_and_the_notes_before_they_are_sho
 
 
 async def test_another_computer_leads_with_a_word_that_is_good_once() -> None:
-    async with served() as (_, url):
-        lesson, other = await Class.open(url), await Class.open(url)
-        path, link = f"/class/{lesson.code}/word", {"query": "scene=coupled&k2=3", "shown": {"d31/d31-03": 2}}
+    async with taught() as (_, url, lesson):
+        other, link = await Class.open(url), {"query": "scene=coupled&k2=3", "shown": {"d31/d31-03": 2}}
+        addresses = [(await lesson.ask("word", "POST", link)).json["address"].rpartition("/")[2]]
 
-        async def lend() -> str:
-            return str((await called(url, path, "POST", link, lesson.key)).json["address"].rpartition("/")[2])
+        async def take(word: str, of: Class = lesson) -> Answered:
+            return await of.ask("word", "PUT", {"word": word}, word="")
 
-        address = await lend()
-        moved, word = await called(url, f"/{address.lower()}"), address.rpartition("-")[2]
+        moved, word = await called(url, f"/{addresses[0].lower()}"), addresses[0].rpartition("-")[2]
         assert (moved.status, moved.headers["Location"]) == (302, f"./?class={lesson.code}&lead={word}")
-        taken = (await called(url, path, "PUT", {"word": word.lower()})).json
+        taken = (await take(word.lower())).json
         assert taken["key"] == lesson.key and link.items() <= taken.items()
-        words = [word, *[(await lend()).rpartition("-")[2] for _ in range(2)]]
-        for there, one in ((path, words[0]), (path, words[1]), (f"/class/{other.code}/word", words[2])):
-            refused = await called(url, there, "PUT", {"word": one})  # used, replaced, of another class
+        for _ in range(2):
+            addresses.append((await lesson.ask("word", "POST", link)).json["address"])
+        words = [address.rpartition("-")[2] for address in addresses]
+        for of, one in ((lesson, words[0]), (lesson, words[1]), (other, words[2])):
+            refused = await take(one, of)  # used, replaced, of another class
             assert (refused.status, refused.json["sentence"]) == (403, lead_routes.NO_WORD)
-        assert (await called(url, path, "PUT", {"word": words[2]})).status == 200  # a wrong code does not use it up
+        assert (await take(words[2])).status == 200  # a wrong code does not use it up
 
 
 @pytest.mark.parametrize("public", ["", "https://lecture.example/osc/"])
 async def test_the_address_to_join_at_leads_to_the_page_of_a_class_which_has_no_session(public: str) -> None:
-    async with served(public_url=public) as (server, url):
-        opened = (await called(url, "/class", "POST")).json
-        assert opened["address"] == f"{public or url}{opened['code']}?join={join_key(opened['key'])}"
-        assert "<script" not in opened["square"] and opened["square"].startswith("<svg")
+    async with taught(public_url=public) as (server, url, lesson):
+        assert lesson.opened["address"] == f"{public or url}{lesson.code}?join={join_key(lesson.key)}"
+        assert "<script" not in lesson.opened["square"] and lesson.opened["square"].startswith("<svg")
         for path, to in (
             ("/EUW5", "./?class=EUW5"), ("/euw5/", "../?class=EUW5"),
             ("/eUw5?join=a1&x=%26", "./?class=EUW5&join=a1&x=%26"),
@@ -189,8 +186,7 @@ async def test_the_address_to_join_at_leads_to_the_page_of_a_class_which_has_no_
         for path, sentence in (("/EUWO", follower_routes.NO_CODE), ("/EUW55", "There is no such page here.")):
             answer = await called(url, path)
             assert answer.status == 404 and sentence in answer.text
-        page = await called(url, "/?class=K7HM")
-        assert page.status == 200 and not server.lecture.get_sessions("/")
+        assert (await called(url, "/?class=K7HM")).status == 200 and not server.lecture.get_sessions("/")
 
 
 async def test_a_class_is_opened_with_the_instructors_passphrase_where_there_is_one() -> None:
@@ -210,7 +206,6 @@ async def test_a_class_is_opened_with_the_instructors_passphrase_where_there_is_
 
 async def test_a_walk_that_waits_for_others_is_refused_for_a_moment_only(monkeypatch: pytest.MonkeyPatch) -> None:
     """An instructor's page sends it once more, and gives up after a final refusal."""
-
     async with taught() as (server, _, lesson):
         monkeypatch.setattr(server.classes.registry.bank, "worker", ReadingProcess("none"))
         monkeypatch.setattr(worker_process, "WAITING", 0)
@@ -220,11 +215,11 @@ async def test_a_walk_that_waits_for_others_is_refused_for_a_moment_only(monkeyp
 
 
 SECRET = "a secret of these tests alone"
-VOTE = f"{CHOICE['walk']}/{CHOICE['step']}/1"
+COPIES = f"answers?question={CHOICE['walk']}/{CHOICE['step']}/1"
 
 
-async def reopened(url: str, code: str, key: str, **more: Any) -> Answered:
-    return await called(url, f"/class/{code}/lead", "PUT", {}, key, **more)
+async def reopened(url: str, code: str, key: str) -> Answered:
+    return await called(url, f"/class/{code}/lead", "PUT", {}, key)
 
 
 async def test_a_restarted_server_has_the_room_its_answers_and_its_phones_again() -> None:
@@ -232,17 +227,17 @@ async def test_a_restarted_server_has_the_room_its_answers_and_its_phones_again(
         tokens = [await lesson.token() for _ in range(3)]
         await lesson.order("put", **CHOICE)
         for token, option in zip(tokens, (0, 1, 1), strict=True):
-            assert (await lesson.vote(token, **CHOICE, option=option)).status == 204
-        kept = (await called(url, f"/class/{lesson.code}/answers?question={VOTE}", word=lesson.key)).json
+            await lesson.voted(token, **CHOICE, option=option)
+        kept = (await lesson.ask(COPIES)).json
     async with served() as (_, url):
         lesson.url = url
         assert (await lesson.order("withdraw")).status == 404
         again = await reopened(url, lesson.code, lesson.key)
         assert again.json["address"].partition("?")[2] == lesson.opened["address"].partition("?")[2]
-        assert (await called(url, f"/class/{lesson.code}/now", word=tokens[0])).status == 200
+        assert (await lesson.ask("now", word=tokens[0])).status == 200
         assert (await lesson.vote(tokens[0], **CHOICE, option=2)).status == 503  # the phone tries again
         await lesson.order("put", **CHOICE)
-        assert (await lesson.vote(tokens[0], **CHOICE, option=2)).status == 204
+        await lesson.voted(tokens[0], **CHOICE, option=2)
         assert (await reopened(url, lesson.code, lesson.key)).status == 200  # as often as requested
         await lesson.order("show")
         phone = await lesson.follow()
@@ -253,10 +248,8 @@ async def test_a_restarted_server_has_the_room_its_answers_and_its_phones_again(
 
 async def test_a_class_is_reopened_only_with_its_key(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(instructor_routes, "MOST_OPENED", 12)
-
-    async with served() as (server, url):
-        lesson, other = await Class.open(url), await Class.open(url)
-        forged = Keys().new()
+    async with taught() as (server, url, lesson):
+        other, forged = await Class.open(url), Keys().new()
         for code, key in (
             (lesson.code, other.key), (lesson.code, forged), (lesson.code, ""), ("ZZZZ", forged), ("0000", forged),
             (lesson.code, f"{lesson.key}="), (lesson.code, "x" * 5000),
@@ -289,7 +282,7 @@ async def test_answers_given_back_are_those_of_phones(monkeypatch: pytest.Monkey
         refused = await lesson.order("restore", answers=made_up)
         assert refused.status == 409 and refused.json["sentence"].startswith("6 answers were not kept: more than")
         assert (await lesson.order("restore", answers=own)).status == 204
-        copies = await called(url, f"/class/{lesson.code}/answers?question={VOTE}", word=lesson.key)
-        assert len(copies.json) == 2 + 8 and own.keys() <= copies.json.keys()
+        copies = (await lesson.ask(COPIES)).json
+        assert len(copies) == 2 + 8 and own.keys() <= copies.keys()
         await lesson.order("put", **CHOICE)
         assert (await lesson.tally())["now"]["options"] == [1, 1 + 2, 1]

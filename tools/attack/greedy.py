@@ -97,10 +97,10 @@ async def _clients(url: str) -> AsyncIterator[tuple[str, list[GreedyAct]]]:
         yield name, [_sending(page, {"type": kind}) for page in pages]
         await asyncio.gather(*(page.depart() for page in pages))
     yield "files by address", [_fetched(url, "/data.csv?" + query) for query, _ in zip(cycle(FILES), range(AT_ONCE))]
-    client = Client(url, await Class.open(url), "127.0.0.1")
-    await client.lesson.order("put", walk=SKETCH["walk"], step=SKETCH["step"])
+    client = Client(url, (await Class.open(url)).opened)
+    await client.order("put", walk=SKETCH["walk"], step=SKETCH["step"])
     for _ in range(PHONES):
-        await client.ask(f"/class/{client.lesson.code}/answer", "PUT", SKETCH, await client.phone())
+        await client.vote(await client.token(), **SKETCH)
     for name in OF_A_CLASS:
         yield name, [_sent(client, name)] * AT_ONCE
 
