@@ -221,6 +221,7 @@ class DrivenOscillator:
         check_finite("a displacement in m", x_0=x_0)
         check_finite("a velocity in m/s", v_0=v_0)
         re, im = self._force(omega, size, kind)
+        omega, x_0, v_0 = float(omega), float(x_0), float(v_0)
         if not self.c or not (re or im) or not omega:
             return self._undamped(omega, re, x_0, v_0, t)
         numbers = (self.m, self.c, self.k, omega, x_0, v_0)

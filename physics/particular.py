@@ -63,6 +63,7 @@ def particular_solution(chain: TwoMassChain, F_0: float, omega: ArrayLike) -> Ar
     """
     frequencies = finite_array("omega", omega)
     check_drive(F_0, float(frequencies.min(initial=0.0)))
+    F_0 = float(F_0)
     if np.ndim(omega) and _comfortable(chain, F_0, frequencies):
         return _response_curve(chain, F_0, frequencies)
     each = [rounded_amplitudes(chain, w, exact_amplitudes(chain, F_0, w)) for w in frequencies.tolist()]

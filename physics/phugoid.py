@@ -209,7 +209,7 @@ def linear_flight(v_0: float, g: float, excess: float, t: ArrayLike) -> Flight:
         If a number is not possible, or a result leaves the range of doubles.
     """
     omega = linear_phugoid(v_0, g).omega
-    check_excess(excess)
+    v_0, g, excess = float(v_0), float(g), check_excess(excess)
     t = finite_array("t", t)
     phase = _phase(omega, t)
     speed, climb = excess * np.cos(phase), sqrt(2) * excess * np.sin(phase)
@@ -244,6 +244,7 @@ def flight(v_0: float, g: float, excess: float, t: ArrayLike) -> Flight:
         If a number is not possible, or a result leaves the range of doubles.
     """
     omega = linear_phugoid(v_0, g).omega
+    v_0, g = float(v_0), float(g)
     half = half_period(bottom_excess(excess))
     t = finite_array("t", t)
     start = half.duration if excess < 0 else 0.0
