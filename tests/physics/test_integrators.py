@@ -31,6 +31,7 @@ from physics.integrators.stability import (
 from physics.integrators.stiffness import stiffness
 from physics.reference.driven_chain import reference
 from tests.grids import sample
+from tests.physics.truth import U, by_exponential
 
 CHAIN = TwoMassChain(m1=1.0, m2=1.5, k1=2.0, k2=3.0)
 FREE = Problem(chain=CHAIN, x_0=(1.0, -0.5), v_0=(0.2, 0.3), t=0.25 * np.arange(61.0))
@@ -177,24 +178,6 @@ def test_lsoda_reports_its_steps_for_stiff_equations():
 RESONANT = replace(DRIVEN, chain=TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0), omega=1.0)
 
 
-def late(t):
-    raise StoppedError("late", t)
-
-
-@pytest.mark.parametrize(
-    ("method", "problem", "setting", "watch", "words"),
-    [
-        ("fortran", FREE, 1e-6, Watch(check=late), "late"),
-        ("adams", FREE, 1e-6, Watch(check=late), "late"),
-        ("verlet", replace(FREE, chain=replace(CHAIN, k2=1e40)), 2.0**56, Watch(), "step below spacing"),
-        ("slides", RESONANT, 0, Watch(), r"D\(omega\) = 0"),
-    ],
-)
-def test_a_run_stops_with_the_reason(method, problem, setting, watch, words):
-    with pytest.raises(StoppedError, match=words):
-        METHODS[method].run(problem, setting, watch)
-
-
 def test_modes_by_eigh_at_resonance():
     """Doubles suffice there, with the response in its regular form; the usual one divides by rounding."""
     near = replace(RESONANT, omega=1 + 1e-9)
@@ -221,43 +204,22 @@ def test_steps_are_counted_and_checked():
             run_fixed("verlet", FREE, steps, Watch())
 
 
-U = 2.0**-53
 ONCE = Limits(seconds=60.0, rounds=1, visit=0.0)
-DRIFTING = System(
-    slug="link", name="Drift", chain=TwoMassChain(m1=1.0, m2=2.0, k1=0.0, k2=3.0),
-    x_0=(1.0, 0.5), v_0=(0.1, 0.0), F_0=0.7, omega=0.3,
-)  # fmt: skip
-APART = System(
-    slug="link", name="Apart", chain=TwoMassChain(m1=1.0, m2=2.0, k1=3.0, k2=0.0),
-    x_0=(1.0, 0.5), v_0=(0.1, 0.2), F_0=0.7, omega=0.3,
-)  # fmt: skip
-BRAKED = System(
-    slug="link", name="Damped", chain=TwoMassChain(m1=1.0, m2=1.0, k1=20.0, k2=0.0), c=12.0,
-    x_0=(1.0, 0.0), v_0=(0.3, 0.0), F_0=5.0, omega=3.0,
-)  # fmt: skip
-ALL = (*SYSTEMS.values(), DRIFTING, APART, BRAKED)
-systems = pytest.mark.parametrize("system", ALL, ids=lambda system: system.name)
+DRIFTING, APART, BRAKED = (
+    System(slug="link", name=name, chain=TwoMassChain(m1=1.0, m2=m2, k1=k1, k2=k2), **more)
+    for name, m2, k1, k2, more in (
+        ("Drift", 2.0, 0.0, 3.0, {"x_0": (1.0, 0.5), "v_0": (0.1, 0.0), "F_0": 0.7, "omega": 0.3}),
+        ("Apart", 2.0, 3.0, 0.0, {"x_0": (1.0, 0.5), "v_0": (0.1, 0.2), "F_0": 0.7, "omega": 0.3}),
+        ("Damped", 1.0, 20.0, 0.0, {"x_0": (1.0, 0.0), "v_0": (0.3, 0.0), "F_0": 5.0, "omega": 3.0, "c": 12.0}),
+    )
+)
 
 
 def visited(system, method, setting=0.0, limits=ONCE, cancelled=lambda method: False):
     return bench_of(system, limits, cancelled, yardstick()).visit(METHODS[method], setting)
 
 
-def by_exponential(problem, t):
-    """x1, x2, v1, v2 from mpmath's matrix exponential, the drive as two more states."""
-    chain = problem.chain
-    m1, m2, k1, k2 = (mp.mpf(value) for value in (chain.m1, chain.m2, chain.k1, chain.k2))
-    omega = mp.mpf(problem.omega)
-    A = mp.zeros(6)
-    A[0, 2] = A[1, 3] = 1
-    A[2, 0], A[2, 1], A[3, 0], A[3, 1] = -(k1 + k2) / m1, k2 / m1, k2 / m2, -k2 / m2
-    A[2, 2] = -mp.mpf(problem.c) / m1
-    A[2, 4] = mp.mpf(problem.F_0) / m1
-    A[4, 5], A[5, 4] = omega, -omega
-    return (mp.expm(A * mp.mpf(t)) * mp.matrix([*problem.start, 0, 1]))[:4]
-
-
-@systems
+@pytest.mark.parametrize("system", (*SYSTEMS.values(), DRIFTING, APART, BRAKED), ids=lambda system: system.name)
 def test_the_closed_form_and_the_reference_have_every_digit(system):
     """The reference is compared with a matrix exponential. Output times are exact doubles."""
     run, problem = visited(system, "closed"), system.problem()
@@ -266,7 +228,7 @@ def test_the_closed_form_and_the_reference_have_every_digit(system):
     truth = reference(replace(problem, t=problem.t[[0, 1, 500]]))
     for n, t in enumerate(problem.t[[0, 1, 500]]):
         with mp.workdps(60):
-            x1, x2, v1, v2 = by_exponential(problem, float(t))
+            x1, x2, _, v1, v2 = by_exponential(problem, float(t), problem.c)
             for i, x in enumerate((x1, x2)):
                 assert abs(mp.mpf(truth.x[i, n]) + mp.mpf(truth.x_rest[i, n]) - x) <= 1e-28 * truth.size
             chain = problem.chain
@@ -328,13 +290,17 @@ def test_a_ladder_ends_at_its_floor_with_the_finest_setting_or_out_of_time():
     assert (late.failure, late.end, late.reached) == ("time limit 1 s", "time limit", pytest.approx(0.2))
 
 
+TIMED = ("verlet", "rk45", "lsoda", "fortran", "adams", "expm")
+
+
 @pytest.mark.parametrize(
     ("system", "method", "setting", "seconds", "failure"),
     [
         (SYSTEMS["wide"], "verlet", 1, 60.0, "unstable step: h omega_+ = 632"),
         (SYSTEMS["dashpot"], "rk4", 1, 60.0, "unstable step: h f = 5e+04"),
-        *((SYSTEMS["wide"], method, None, 0.0, "time limit 0 s") for method in ("verlet", "rk45", "lsoda", "expm")),
+        *((SYSTEMS["wide"], method, None, 0.0, "time limit 0 s") for method in TIMED),
         (SYSTEMS["resonance"], "slides", 0.0, 60.0, "D(omega) = 0: no particular solution"),
+        (replace(DRIFTING, chain=replace(CHAIN, k2=1e40)), "verlet", 2.0**56, 60.0, "step below spacing"),
         (replace(DRIFTING, F_0=0.0), "slides", 0.0, 60.0, "cannot be computed: "),
         (SYSTEMS["benign"], "yoshida6", 64, 60.0, "cancelled"),
         (SYSTEMS["benign"], "dop853", 1e-9, 60.0, "cancelled"),
