@@ -20,9 +20,8 @@ from physics.root_paths import RootPath, exceptional_point
 from tests.grids import tries
 from tests.physics.braked_cases import CASES, Case, case_of, cases, eigenvectors, matrices
 from tests.physics.references import each
-from tests.physics.truth import log_uniform
+from tests.physics.truth import U, log_uniform
 
-U = 2.0**-53
 NAMES = ("m1", "m2", "k1", "k2", "c1", "c2")
 BY_SPRINGS = {
     "no wall spring": {Kind.DRIFT_BOTH, Kind.REST_BOTH},

@@ -29,15 +29,11 @@ SEEDS = 60
 Rows = tuple[np.ndarray, np.ndarray]
 
 
-def numbers(texts: list[str]) -> np.ndarray:
-    return np.array([float(text) for text in texts])
-
-
 @each(reference("beyond", "fit"))
 def test_fits_are_the_minimum_of_the_reference(case: dict[str, Any]) -> None:
     fit = fit_damped(case["t"], case["y"], case["modes"], sigma=case["sigma"])
     for found, se, name in ((fit.omega, fit.se_omega, "omega"), (fit.decay, fit.se_decay, "decay")):
-        wanted, error = numbers(case[name]), numbers(case[f"se_{name}"])
+        wanted, error = np.array(case[name], float), np.array(case[f"se_{name}"], float)
         assert np.abs(found - wanted).max() <= 1e-6 * error.min()
         assert se == pytest.approx(error, rel=1e-6)
     p = -fit.decay + 1j * fit.omega
@@ -92,9 +88,8 @@ def record(rng: np.random.Generator, noise: tuple[float, float] = (0.02, 0.06), 
     return x + 0.1 + np.array(noise)[:, None] * rng.standard_normal(x.shape)
 
 
-PLAIN = made(200, 10, 0.02, 0.05)
 MARKED: dict[str, tuple[Callable[..., Rows], set[Caution]]] = {
-    "plain": (PLAIN, set()),
+    "plain": (made(200, 10, 0.02, 0.05), set()),
     "less than a period": (made(40, 0.6, 0.1, 0.02), set()),
     "uneven": (made(60, 40, 0.005, 0.05, uneven=True), set()),
     "rounded": (made(200, 10, 0.02, 0.1, lambda t, y: (t, np.round(4 * y) / 4)), set()),
@@ -113,35 +108,33 @@ def test_doubtful_rows_are_named(make: Callable[..., Rows], cautions: set[Cautio
 
 def test_noise_that_hides_the_motion_is_named() -> None:
     for seed in range(40):
-        rng = np.random.default_rng(seed)
+        noise = np.random.default_rng(seed).standard_normal(100)
         try:
-            assert Caution.WEAK in fit_damped(np.arange(100) * 0.1, rng.standard_normal(100)).cautions
+            assert Caution.WEAK in fit_damped(np.arange(100) * 0.1, noise).cautions
         except ValueError as refusal:
             assert "needed" in str(refusal)
 
 
-@pytest.mark.parametrize("zeta", [0.02, 0.1, None])
+@pytest.mark.parametrize("zeta", [0.1, None])
 def test_one_standard_error_holds_the_truth_as_often_as_it_says(zeta: float | None) -> None:
-    """In about 68 % of the records: of one motion, of less than a period of it, and of a chain."""
-    make = PLAIN if zeta == 0.02 else made(40, 0.6, 0.1, 0.02)
-    if zeta:
-        true = np.array([2 * math.pi, zeta * 2 * math.pi / math.sqrt(1 - zeta**2), 1.0, 0.5, 0.3])
-    else:
-        true = np.array([*CHAIN.modes().omega, *CHAIN.modes().ratio, 8.0, 4.5, 0.5, 0.0, 0.0])
+    """In about 68 % of the records: of less than a period of one motion, and of a chain."""
+    make, w = made(40, 0.6, 0.1, 0.02), 2 * math.pi
+    true = np.array([w, 0.1 * w / math.sqrt(0.99), 1.0, 0.5, 0.3])
+    if not zeta:
+        true = np.array([*CHAIN.modes().omega, 0.0, 0.0, *CHAIN.modes().ratio, 8.0, 4.5, 0.5])
     inside = np.zeros(true.size)
     for seed in range(SEEDS):
         rng = np.random.default_rng(seed)
+        fit = fit_damped(*make(rng)) if zeta else fit_damped(T, record(rng), modes=2)
+        found, errors = [*fit.omega, *fit.decay], [*fit.se_omega, *fit.se_decay]
         if zeta:
-            fit = fit_damped(*make(rng))
-            found = [*fit.omega, *fit.decay, *fit.amplitude[0], *fit.phase[0], *fit.offset]
-            errors = [*fit.se_omega, *fit.se_decay, *fit.se_amplitude[0], *fit.se_phase[0], *fit.se_offset]
+            found += [*fit.amplitude[0], *fit.phase[0], *fit.offset]
+            errors += [*fit.se_amplitude[0], *fit.se_phase[0], *fit.se_offset]
         else:
-            fit = fit_damped(T, record(rng), modes=2)
             chain = chain_of_fit(fit)
             assert chain.parts is not None and fit.cautions == ()
             assert abs(chain.difference) < 4 and fit.scatter[1] / fit.scatter[0] == pytest.approx(3.0, rel=0.3)
-            found = [*chain.omega, *chain.ratio, *chain.parts, *fit.decay]
-            errors = [*chain.se_omega, *chain.se_ratio, *chain.se_parts, *fit.se_decay]
+            found, errors = [*found, *chain.ratio, *chain.parts], [*errors, *chain.se_ratio, *chain.se_parts]
         inside += np.abs(np.array(found) - true) < errors
     assert np.all((inside >= 0.5 * SEEDS) & (inside <= 0.86 * SEEDS)), inside / SEEDS
 
@@ -196,10 +189,8 @@ def test_evenly_spaced_rows_fit_two_frequencies() -> None:
     fit = fit_damped(t, wave(t) + 0.01 * np.random.default_rng(1).standard_normal(60))
     (alias,) = fit.aliases
     assert alias == pytest.approx(2 * math.pi / 0.2 - fit.omega[0])
-    fast = fit.offset[0] + np.exp(-fit.decay[0] * t) * (
-        fit.C[0, 0] * np.cos(alias * t) - fit.S[0, 0] * np.sin(alias * t)
-    )
-    assert fast == pytest.approx(fit.at(t)[0], abs=1e-12)
+    fast = np.exp(-fit.decay[0] * t) * (fit.C[0, 0] * np.cos(alias * t) - fit.S[0, 0] * np.sin(alias * t))
+    assert fit.offset[0] + fast == pytest.approx(fit.at(t)[0], abs=1e-12)
     uneven = np.sort(np.random.default_rng(2).uniform(0, 12, 60))
     assert fit_damped(uneven, wave(uneven)).aliases == ()
 

@@ -18,7 +18,6 @@ from physics.free_decay import FreeDecay
 from physics.motion import Elementary, Harmonic, constant, harmonic_motion, superposed
 from physics.precision.elementary import LARGEST_EXPONENT, SMALLEST_EXPONENT, exponential, sine_cosine
 from physics.precision.exact import (
-    Array,
     binary,
     exact,
     on_circle,
@@ -83,24 +82,14 @@ def test_binary_has_no_bounds(digits):
     assert binary(Decimal(0)) == (0.0, 0.0, 0)
 
 
-def test_split_and_rounded():
+def test_digits_that_no_double_has_are_split_rounded_compared_and_told_from_noise():
     hi, lo = split(Decimal("0.1"))
     assert hi == 0.1 and lo == float(Fraction(1, 10) - Fraction(0.1))
-    assert split(Decimal("1e400")) == (math.inf, 0.0)
-    assert rounded("x", Decimal("0.1")) == 0.1
-
-
-def test_within_an_ulp_of_what_is_no_double():
-    root = Decimal(2).sqrt()
-    at = math.sqrt(2)
-    below, above = math.nextafter(at, 0.0), math.nextafter(at, 2.0)
-    assert within_an_ulp(at, root) and within_an_ulp(below, root)
-    assert not within_an_ulp(above, root)
-    assert not within_an_ulp(at, -root)
+    assert split(Decimal("1e400")) == (math.inf, 0.0) and rounded("x", Decimal("0.1")) == 0.1
+    root, at = Decimal(2).sqrt(), math.sqrt(2)
+    near = [within_an_ulp(one, root) for one in (at, math.nextafter(at, 0.0), math.nextafter(at, 2.0), -at)]
+    assert near == [True, True, False, False]
     assert within_an_ulp(0.0, Decimal("4e-324")) and not within_an_ulp(0.0, Decimal("5e-324"))
-
-
-def test_noise_is_not_a_number():
     with precise():
         third = Decimal(1) / 3
         assert sum_of(third * 3, Decimal(-1)) == 0 and sum_of(third, Decimal(-1)) != 0
@@ -134,9 +123,6 @@ def test_phases_of_any_frequency(exponent, turns, low, phase):
             assert abs(mp.mpf(cosine[n]) - mp.cos(true)) <= 0.6 * U
 
 
-low_part = st.floats(-1.0, 1.0)
-
-
 def pair(hi, part):
     """hi and a low part below half an ulp of it, as arrays."""
     return two_sum(np.array([hi]), np.array([part * hi * 2.0**-54]))
@@ -147,19 +133,12 @@ def value(two):
 
 
 @thorough
-@given(st.floats(SMALLEST_EXPONENT, LARGEST_EXPONENT), low_part)
-def test_exponential(hi, part):
-    argument = pair(hi, part)
-    true = mp.exp(value(argument))
-    assert abs(value(exponential(argument)) - true) <= mp.mpf(2) ** -95 * true
-
-
-@thorough
-@given(st.floats(-1e6, 1e6), low_part)
-def test_sine_and_cosine(hi, part):
-    argument = pair(hi, part)
-    for found, true in zip(sine_cosine(argument), (mp.sin, mp.cos), strict=True):
-        assert abs(value(found) - true(value(argument))) <= mp.mpf(2) ** -95
+@given(st.floats(SMALLEST_EXPONENT, LARGEST_EXPONENT), st.floats(-1e6, 1e6), st.floats(-1.0, 1.0))
+def test_exponential_sine_and_cosine_carry_95_bits(power, angle, part):
+    argument, phase = pair(power, part), pair(angle, part)
+    assert abs(value(exponential(argument)) / mp.exp(value(argument)) - 1) <= mp.mpf(2) ** -95
+    for found, true in zip(sine_cosine(phase), (mp.sin, mp.cos), strict=True):
+        assert abs(value(found) - true(value(phase))) <= mp.mpf(2) ** -95
 
 
 DIGITS = MPContext()
@@ -187,6 +166,7 @@ def test_a_multiple_root_keeps_its_share_of_the_digits(multiplicity):
 
 
 BITS = 3000
+T = np.linspace(0.0, 10.0, 601)
 ZERO, ONE = Decimal(0), Decimal(1)
 QUANTITIES = ("one", "other")
 small = st.floats(-1.0, 1.0)
@@ -246,14 +226,9 @@ def decay(m: float = 1.0, c: float = 0.4, k: float = 4.0, x_0: float = 1.0, v_0:
     return FreeDecay(oscillator=DampedOscillator(m=m, c=c, k=k), x_0=x_0, v_0=v_0)
 
 
-@pytest.fixture
-def t() -> Array:
-    return np.linspace(0.0, 10.0, 101)
-
-
-def test_sums_products_and_quotients_are_those_of_the_values(t: Array) -> None:
+def test_sums_products_and_quotients_are_those_of_the_values() -> None:
     free = decay()
-    x, v = free.x.at(t), free.v.at(t)
+    x, v = free.x.at(T), free.v.at(T)
     pairs = [
         (free.x + free.v, x + v),
         (2.0 - free.x, 2.0 - x),
@@ -262,17 +237,17 @@ def test_sums_products_and_quotients_are_those_of_the_values(t: Array) -> None:
         (-free.v, -v),
         (free.x * free.v, x * v),
         (0.5 * free.x**2 + free.v**2, 0.5 * x**2 + v**2),
-        (constant(2.0), np.full_like(t, 2.0)),
+        (constant(2.0), np.full_like(T, 2.0)),
     ]
     for motion, values in pairs:
-        assert np.array_equal(motion.at(t), values)
+        assert np.array_equal(motion.at(T), values)
 
 
 @pytest.mark.parametrize(("k", "x_0"), [(1e-300, 1e200), (1e300, 1e-200)])
-def test_no_factor_alone_takes_a_product_out_of_range(t: Array, k: float, x_0: float) -> None:
+def test_no_factor_alone_takes_a_product_out_of_range(k: float, x_0: float) -> None:
     """The square of the displacement leaves the range of doubles, the energy does not."""
     free = decay(m=k, c=0.0, k=k, x_0=x_0)
-    assert (0.5 * k * free.x**2).at(t)[0] == pytest.approx(0.5 * k * x_0 * x_0, rel=1e-12)
+    assert (0.5 * k * free.x**2).at(T)[0] == pytest.approx(0.5 * k * x_0 * x_0, rel=1e-12)
 
 
 def test_the_mean_of_a_fast_motion_is_that_over_a_cycle() -> None:
@@ -284,26 +259,25 @@ def test_the_mean_of_a_fast_motion_is_that_over_a_cycle() -> None:
         assert motion.mean.at(whole)[2000] == pytest.approx(averaged, abs=2e-3 * size)
 
 
-def test_a_fast_motion_stays_within_its_band(t: Array) -> None:
+def test_a_fast_motion_stays_within_its_band() -> None:
     free = decay(v_0=-2.0)
     assert free.v.band(0.0) is None and (free.x * free.v).band(0.0) is None
     for motion in (free.x, 3.0 - 2.0 * free.x, 4.0 * free.x**2 + 1.0, free.x**2 - 0.5 * free.x):
         low, high = motion.band(0.0) or pytest.fail("it has no band")
-        margin = 1e-12 * np.max(np.abs(high.at(t)))
-        assert np.all(low.at(t) - margin <= motion.at(t)) and np.all(motion.at(t) <= high.at(t) + margin)
+        margin = 1e-12 * np.max(np.abs(high.at(T)))
+        assert np.all(low.at(T) - margin <= motion.at(T)) and np.all(motion.at(T) <= high.at(T) + margin)
 
 
-def test_the_slow_part_of_a_band_is_a_line(t: Array) -> None:
+def test_the_slow_part_of_a_band_is_a_line() -> None:
     """If x is slow enough for a line and its square is not, the band of their sum follows x."""
     free = decay(v_0=-2.0)
     low, high = (free.x**2 + free.x).band(1.5 * free.oscillator.omega_d) or pytest.fail("it has no band")
-    assert np.array_equal(low.at(t), free.x.at(t))
-    assert np.all(high.at(t) >= (free.x**2 + free.x).at(t))
+    assert np.array_equal(low.at(T), free.x.at(T))
+    assert np.all(high.at(T) >= (free.x**2 + free.x).at(T))
 
 
 def test_a_motion_that_stays_whole_is_one_factor_and_others_are_multiplied_out() -> None:
-    x = decay().x
-    V = 2.0 * x**2
+    V = 2.0 * (x := decay().x) ** 2
     assert [*(3.0 * V).flat()] == [(6, (x, x))]
     assert [*(5.0 * (3.0 * V)).flat(whole=lambda motion: motion is V)] == [(15, (V,))]
 
@@ -313,18 +287,15 @@ def wave(omega: float) -> Elementary:
 
 
 @pytest.mark.parametrize("omegas", [(1.0, 1000.0), (1000.0, 1001.0), (800.0, 1000.0)])
-def test_a_superposition_knows_its_band_and_its_averages(t: Array, omegas: tuple[float, float]) -> None:
+def test_a_superposition_knows_its_band_and_its_averages(omegas: tuple[float, float]) -> None:
     """A slow part moves the band, close frequencies beat, others add up."""
     whole, fine = superposed("x", *map(wave, omegas)), np.linspace(0.0, 10.0, 200_001)
     values, averaged = whole.at(fine), whole * whole
-    low, high = (np.interp(fine, t, edge.at(t)) for edge in whole.band(10.0))
+    low, high = (np.interp(fine, T, edge.at(T)) for edge in whole.band(10.0))
     assert np.all(low <= values + 0.02) and np.all(values <= high + 0.02)
     assert values.max() == pytest.approx(high.max(), abs=0.02)
-    assert np.trapezoid(averaged.mean.at(t), t) == pytest.approx(np.trapezoid(values**2, fine), rel=0.02)
+    assert np.trapezoid(averaged.mean.at(T), T) == pytest.approx(np.trapezoid(values**2, fine), rel=0.02)
     assert whole.size() == 2.0 and whole.omega == max(omegas)
-
-
-T = np.linspace(0.0, 10.0, 601)
 
 
 WINDOWS = [(1.0, 2.0, 4), (1.0, 1.5, 4), (1.0, 1.25, 8), (1.0, 1.02, 100), (1.0, 1.0, 100), (1e-200, 2e-200, 4)]
@@ -344,28 +315,22 @@ def test_drawable_means_twelve_samples_a_cycle():
     assert drawable(0.0, T) and not drawable(1e300, T) and drawable(1e300, T[:1])
 
 
-def test_slow_components_are_a_curve():
-    components = [Sinusoid(1.0, 2.0, 0.3), Sinusoid(-0.5, 3.0, 0.0)]
-    base = 0.1 * T
-    found = curve_or_band(components, T, base)
-    assert np.array_equal(base, 0.1 * T), "an input is not changed"
-    assert found.curve is not None
-    assert found.curve == pytest.approx(0.1 * T + np.sin(2 * T + 0.3) - 0.5 * np.sin(3 * T), abs=1e-14)
-    assert np.array_equal(found.lo, found.curve) and np.array_equal(found.hi, found.curve)
-    assert np.array_equal(curve_or_band([], T).lo, np.zeros_like(T))
-
-
 @pytest.mark.parametrize(
     ("components", "slow", "width"),
     [
+        ([Sinusoid(1.0, 2.0, 0.3), Sinusoid(-0.5, 3.0, 0.0)], np.sin(2 * T + 0.3) - 0.5 * np.sin(3 * T), 0.0),
         ([Sinusoid(1.0, 1.0, 0.0), Sinusoid(0.5, 1e6, 0.2)], np.sin(T), 0.5),
         ([Sinusoid(1.0, 1e5, 0.0), Sinusoid(-0.5, 1e9, 0.0)], np.zeros_like(T), 1.5),
+        ([], np.zeros_like(T), 0.0),
     ],
 )
-def test_fast_components_are_a_band_about_the_slow_ones(components, slow, width):
-    found = curve_or_band(components, T)
-    assert found.curve is None
-    assert found.lo == pytest.approx(slow - width, abs=1e-14) and found.hi == pytest.approx(slow + width, abs=1e-14)
+def test_slow_components_are_a_curve_and_fast_ones_a_band_about_it(components, slow, width):
+    base = 0.1 * T
+    for found, line in ((curve_or_band(components, T), slow), (curve_or_band(components, T, base), slow + base)):
+        assert found.lo == pytest.approx(line - width, abs=1e-14) and found.hi == pytest.approx(line + width, abs=1e-14)
+        assert (found.curve is None) == bool(width)
+        assert width or (np.array_equal(found.lo, found.curve) and np.array_equal(found.hi, found.curve))
+    assert np.array_equal(base, 0.1 * T), "an input is not changed"
 
 
 def test_mean_squares_average_the_fast_part_only():

@@ -26,25 +26,20 @@ each_case = each(reference("periodic"))
 PERIODIC = ("square", "triangle", "pulses", "impulses")
 
 
-def oscillator_of(case: dict[str, Any]) -> DampedOscillator:
-    return DampedOscillator(m=case["m"], c=case["c"], k=case["k"])
-
-
-def mass_of(case: dict[str, Any]) -> PushedMass:
+def pushed(case: dict[str, Any]) -> tuple[DampedOscillator, PushedMass]:
     width = {"width": case["duty"]} if case["duty"] else {}
     push = PeriodicPush(kind=case["kind"], size=case["F"], omega=case["omega"], **width)
-    return oscillator_of(case).pushed(push)
+    oscillator = DampedOscillator(m=case["m"], c=case["c"], k=case["k"])
+    return oscillator, oscillator.pushed(push)
 
 
 def within(found: Any, true: list[str], room: float) -> None:
-    with mp.workdps(30):
-        errors = [float(abs(mp.mpf(float(a)) - mp.mpf(b))) for a, b in zip(found, true, strict=True)]
-    assert max(errors) <= room
+    assert max(abs(mp.mpf(float(a)) - mp.mpf(b)) for a, b in zip(found, true, strict=True)) <= room
 
 
 @each_case
 def test_steady_motions_are_within_4_u_of_the_reference(case: dict[str, Any]) -> None:
-    mass, period = mass_of(case), 2 * math.pi / case["omega"]
+    (oscillator, mass), period = pushed(case), 2 * math.pi / case["omega"]
     assert mass.steady_exists == case["steady_exists"]
     assert mass.growth == pytest.approx(float(case.get("growth_per_second") or 0.0), rel=4 * U, abs=0)
     if not mass.steady_exists:
@@ -57,20 +52,20 @@ def test_steady_motions_are_within_4_u_of_the_reference(case: dict[str, Any]) ->
     assert mass.work == pytest.approx(float(case["work_per_cycle"]), rel=2 * U, abs=0)
     later = mass.steady(np.array(case["t"]) + 2**20 * period)
     assert later.x == pytest.approx(motion.x, abs=1e-8 * np.max(np.abs(whole.v)) * period)
-    assert oscillator_of(case).steady(mass.push, case["t"]).x.tolist() == motion.x.tolist()
+    assert oscillator.steady(mass.push, case["t"]).x.tolist() == motion.x.tolist()
 
 
 @each_case
 def test_lines_are_those_of_the_reference(case: dict[str, Any]) -> None:
     """Also in doubles, where a line that is missing may be a rounding error."""
-    mass = mass_of(case)
+    oscillator, mass = pushed(case)
     lines = mass.lines(9)
     for line, true in zip(lines, case["lines"], strict=True):
         f, X = (None if true[name] is None else complex(*map(float, true[name])) for name in ("f", "X"))
         assert line.n == true["n"] and abs(line.f - f) <= 4 * U * abs(f)
         assert np.isinf(line.X) if X is None else abs(line.X - X) <= 5 * U * abs(X)
     if case["k"] and not mass.push.once:
-        found = PushHarmonics(oscillator=oscillator_of(case), push=mass.push).lines(range(1, 10))
+        found = PushHarmonics(oscillator=oscillator, push=mass.push).lines(range(1, 10))
         assert found.f == pytest.approx([abs(line.f) for line in lines[1:]], rel=1e-12, abs=1e-14 * case["F"])
         X = [abs(line.X) for line in lines[1:]]
         assert list(found.X) == pytest.approx(X, rel=1e-12, abs=1e-14 * X[0])
@@ -79,7 +74,7 @@ def test_lines_are_those_of_the_reference(case: dict[str, Any]) -> None:
 @each_case
 def test_motions_from_rest_are_within_4_u_of_the_reference(case: dict[str, Any]) -> None:
     """The sum of slices of a push too."""
-    mass, t = mass_of(case), case["rest"]["t"]
+    (_, mass), t = pushed(case), case["rest"]["t"]
     grid = np.union1d(np.linspace(0, max(t), 61), t)
     motion = mass.from_rest(grid)
     for values, name in ((motion.x, "x"), (motion.v, "v")):
@@ -125,7 +120,7 @@ def test_steady_motions_are_drawn_and_played_within_a_tenth_of_a_pixel(case: dic
 
     From a start they are within 1e-12, at the resonance of a harmonic too.
     """
-    mass, oscillator = mass_of(case), oscillator_of(case)
+    oscillator, mass = pushed(case)
     if not case["k"]:
         with pytest.raises(ValueError, match="needs a spring"):
             SteadyMotion(oscillator=oscillator, push=mass.push)

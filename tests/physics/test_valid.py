@@ -119,6 +119,7 @@ CALLS: list[tuple[str, Callable[[], object]]] = [
     ("whole", lambda: UniformChain(N=2.5, m=1.0, k=1.0)),
     ("fixed-free", lambda: UniformChain(N=3, m=1.0, k=1.0, ends="loose")),
     ("allowed", lambda: PeriodicPush(kind="saw")),
+    ("between 0 and 1", lambda: PeriodicPush(kind="pulses", width=1.0)),
     (r"^columns\b.*only finite numbers", lambda: fit_damped([0.0, 1.0], [["1", "many"]], modes=1)),
     # Results that leave the range of doubles are named.
     ("v1 leaves the range of doubles", lambda: free_motion(UNEVEN, (1e20, 0.0), (0.0, 0.0), [1e-300])),

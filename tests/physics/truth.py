@@ -12,7 +12,6 @@ import math
 import sys
 from collections.abc import Callable
 from fractions import Fraction
-from functools import cached_property
 
 import mpmath as mp
 import numpy as np
@@ -43,27 +42,13 @@ class Truth:
             self.shape = self._shapes()
             self.ratio = [b / a if a else mp.inf for a, b in self.shape]
             self.stretch = [b - a for a, b in self.shape]
+            self.antiresonance = mp.sqrt(self.k2 / self.m2)
             self.mass = [self.m1 * a**2 + self.m2 * b**2 for a, b in self.shape]
 
     def _shapes(self):
         if not self.k2:
             return [(mp.mpf(0), mp.mpf(1)), (mp.mpf(1), mp.mpf(0))]
         return [(mp.mpf(1), (self.k1 + self.k2 - self.m1 * w**2) / self.k2) for w in self.omega]
-
-    @cached_property
-    def antiresonance(self):
-        with mp.workprec(SETUP_BITS):
-            return mp.sqrt(self.k2 / self.m2)
-
-    def particular(self, F_0, omega):
-        """Xp1, Xp2; inf exactly at resonance."""
-        with mp.workprec(SETUP_BITS):
-            F, square = mp.mpf(F_0), mp.mpf(omega) ** 2
-            D = (self.m1 * square - self.k1 - self.k2) * (self.m2 * square - self.k2) - self.k2**2
-            if not self.k2:
-                stiffness = self.k1 - self.m1 * square
-                return (F / stiffness if stiffness else mp.inf), mp.mpf(0)
-            return tuple(X / D if D else mp.inf for X in ((self.k2 - self.m2 * square) * F, self.k2 * F))
 
     def coordinates(self, x_0, v_0):
         """(displacement, velocity) of each mode at t = 0."""
@@ -78,8 +63,8 @@ class Truth:
         values, scales = [mp.mpf(0)] * 5, [mp.mpf(0)] * 5
         t = mp.mpf(t)
         for j, (q, v) in enumerate(self.coordinates(x_0, v_0)):
-            with mp.workprec(phase_bits(self.omega[j], t)):
-                w = self.omega[j]
+            w = self.omega[j]
+            with mp.workprec(MOTION_BITS + (max(0, mp.mag(w * t)) if w * t else 0)):
                 c, s = mp.cos(w * t), mp.sin(w * t) / w if w else t
                 size = mp.sqrt(q**2 + (v / w) ** 2) if w else abs(q) + abs(v * t)
                 speed = w * size if w else abs(v)
@@ -103,15 +88,6 @@ class Truth:
             values[i] += part * value
             scales[i] += abs(part) * scale
 
-    def energy(self, values):
-        """T + V of x1, x2, e2, v1, v2."""
-        x1, _, e2, v1, v2 = values
-        return (self.m1 * v1**2 + self.m2 * v2**2 + self.k1 * x1**2 + self.k2 * e2**2) / 2
-
-
-def phase_bits(omega, t):
-    return MOTION_BITS + (max(0, mp.mag(omega * t)) if omega * t else 0)
-
 
 def response(omega, omega_n, t):
     """g, g' of g'' + omega_n^2 g = sin(omega t) from rest, by the direct quotient."""
@@ -125,10 +101,7 @@ def response(omega, omega_n, t):
             return g, t * mp.sin(omega * t) / 2
         over_n = mp.sin(omega_n * t) / omega_n if omega_n else t
         D = omega_n**2 - omega**2
-        return (
-            (mp.sin(omega * t) - omega * over_n) / D,
-            omega * (mp.cos(omega * t) - mp.cos(omega_n * t)) / D,
-        )
+        return (mp.sin(omega * t) - omega * over_n) / D, omega * (mp.cos(omega * t) - mp.cos(omega_n * t)) / D
 
 
 def ulps(value, truth):
@@ -186,7 +159,7 @@ Parameters = tuple[float, ...]
 
 
 def decades(uniform: Uniform, reach: float) -> float:
-    return float(10.0 ** uniform(-reach, reach))
+    return 10.0 ** uniform(-reach, reach)
 
 
 def any_double(uniform: Uniform) -> float:

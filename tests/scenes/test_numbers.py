@@ -286,7 +286,7 @@ OTHERWISE = {
     "chain": {"E"},  # other than plucked: test_presets
     "modes": {f"{root}_{part}" for root in ROOTS for part in ("rate", "omega", "zeta", "Q", "decay")},  # test_modes
     "phugoid": {"tau_exact", "late"},  # test_one_mass
-    "absorber": {"help_low", "help_high", "dies"},  # tests/physics/test_response, and below
+    "absorber": {"help_low", "help_high", "dies"},  # tests/physics/test_chain, and below
     "analogues": {"inertia", "stiffness"},  # tests/physics/test_large_motions
     "accuracy": {"drift_euler", "drift_verlet", "drift_rk4", "picked_error", "picked_time", "picked_evaluations"},
 }
