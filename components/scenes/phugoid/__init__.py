@@ -146,7 +146,7 @@ class Phugoid(Scene):
             in_views(column(*lift_plot(), grow=370), "lift"),
             in_views(column(*exchange_plots(), grow=370), "energy"),
             in_views(column(velocity_plot(), grow=370), "limits"),
-            words(f"{N.verdict}", style="narrow", phone=16),
+            in_views(words(f"{N.verdict}", phone=16), "height", "limits"),
         )
 
     def picture(self, frame: Frame = FITTED) -> Picture:

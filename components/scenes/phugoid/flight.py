@@ -148,7 +148,6 @@ def _labels(left: Number, level: Number) -> list[Shape]:
     return [
         text(0, 17, f"height *h*′ = {S.h} {N.h_unit}", anchor="start", tint="V", style="t2 b"),
         text(BESIDE, 17, f"extra speed *v*′ = {S.v} {N.v_unit}", anchor="start", tint="T", style="t2 b"),
-        text(W, 17, f"{N.verdict}", anchor="end", tint="ink", show=ON_WIDE),
         text(left - 8, level + 5, "level *h*_0", anchor="end", style="t2 b halo"),
         text(top[0] - 4, top[1], "exact", anchor="end", **named),
         text(top_lin[0] + 4, top_lin[1], "linear", anchor="start", **named),
