@@ -73,7 +73,7 @@ def harmonics(plot: Plot, *response: PlotItem) -> Block:
     )
     x, top = plot.x(c.omega_at), plot.in_frame(c, "strongest_up", _strongest, optional=True)
     return plot.block(
-        curve(dots, "none", "m1", "disc", columns=("dot_omega", "dot"), words="swing", read="swing of a harmonic"),
+        curve(dots, "none", "m1", "disc", columns=("dot_omega", "dot"), words="● swing", read="swing of a harmonic"),
         curve(bars, "line", "F", columns=("bar_omega", "bar"), words="push", read="harmonics of the push"),
         *response,
         note("of each harmonic, against *nω*/*ω*_n", "mute"),
