@@ -7,7 +7,7 @@ import io
 import re
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Page, Route, expect
 
 from tests.browser.classroom import FILLED, LED, Open, counted, draw, joined, put, remote_of, sent, taught
 from tests.browser.fixtures import CONNECTED, READY
@@ -127,7 +127,16 @@ def number(lecture: Page, phone: Page, other: Page, remote: Page) -> None:
     clicked(lecture)
     expect(lecture.locator(".vote-line circle")).to_have_count(2)
     expect(lecture.locator(".votes .sure")).to_have_text("How sure: 0 guessed, 1 fairly sure, 0 certain")
-    remote.get_by_role("button", name="Show the answer").click()
+    asked = list[Route]()
+    other.route("**/answer", lambda route: asked.append(route))
+    with other.expect_request("**/answer"):  # for the reply to the answer that counts
+        remote.get_by_role("button", name="Show the answer").click()
+    typed = other.get_by_role("textbox", name="Your answer")
+    typed.fill("2")
+    asked[0].continue_()
+    other.unroute("**/answer")
+    expect(other.locator(".yours")).to_have_text("your answer")
+    expect(typed).to_have_value("1")
     expect(lecture.locator(".votes .all")).to_have_text("1 of 2 is right")
     expect(lecture.locator(".votes .sure")).to_contain_text("1 fairly sure (1 right)")
     expect(lecture.locator(".vote-line .truth")).to_have_text("2 s")
