@@ -13,15 +13,7 @@ from hypothesis import strategies as st
 
 from components.quantities import formatting
 from components.quantities.axes import Axis, log_axis
-from components.quantities.formatting import (
-    at_tick,
-    excerpt,
-    parse_number,
-    shortest,
-    three,
-    tidy,
-    with_error,
-)
+from components.quantities.formatting import at_tick, excerpt, parse_number, shortest, three, tidy, with_error
 from components.quantities.parameters import Quantity
 from components.quantities.typed import typed_number
 from components.scenes import SCENES

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from decimal import Decimal
 from typing import Any
 from urllib.parse import parse_qs
 
 import numpy as np
 import param
+from hypothesis import Phase, given, settings
 
 from components.layout.choices import options
 from components.layout.controls import Choice
@@ -19,7 +20,9 @@ from components.scene import Picture, Scene
 from components.scene.traces import Columns
 from components.scenes import SCENES
 from components.state.page_state import PageState
+from tests.grids import tries
 from tests.page.headless_page import picture_wire
+from tests.states import values
 
 LONG_NUMBER = re.compile(r"\d{7,}|\d\.\d{6,}|\bnan\b|\binf\b|e[-+]?\d", re.IGNORECASE)
 HYPHEN = re.compile(r"(?<![\w)\]])-\s?\.?\d")
@@ -43,6 +46,33 @@ def choices(scene: type[Scene]) -> Iterator[dict[str, Any]]:
     for name, parameter in scene.linked().items():
         if isinstance(parameter, Choice) and not isinstance(parameter, param.ListSelector):
             yield from ({name: value} for value in options(parameter).values())
+
+
+def in_any_state(
+    kind: type[Scene],
+    see: Callable[[Any], Any],
+    check: Callable[[Any, Any], object],
+    count: int,
+    decades: float = 2.0,
+    rare: Iterable[dict[str, Any]] = (),
+    **shown: Any,
+) -> None:
+    """Check what is seen of a scene in each preset, in rare states, and in `count` random ones, with the values
+    `shown`. States that the scene refuses are skipped. A failing state is reported unshrunk: shrinking takes minutes.
+    """
+
+    def compare(state: dict[str, Any]) -> None:
+        try:
+            seen = see(scene := kind.at({**state, **shown}))
+        except ValueError:  # in words
+            return
+        check(scene, seen)
+
+    for state in (*map(kind.preset_all, kind.presets), *rare):
+        compare(dict(state))
+    if count:
+        random = settings(max_examples=tries(count), phases=(Phase.explicit, Phase.generate))
+        random(given(values(kind, decades))(compare))()
 
 
 def columns(scene: Scene, source: str = "time") -> dict[str, np.ndarray]:

@@ -11,14 +11,12 @@ from typing import Any
 import msgspec
 import numpy as np
 import pytest
-from hypothesis import Phase, example, given, settings
 
 from components.quantities.formatting import parse_number
 from components.scene import Scene
 from components.scene.about import NO_BAND, About, Table, about_numbers, bounded, digits, drift
 from components.scenes import SCENES
-from tests.grids import sample, tries
-from tests.states import values
+from tests.scenes.checks import in_any_state
 
 SLUGS = [slug for slug, scene in SCENES.items() if scene.is_checked()]
 FAST: dict[str, dict[str, Any]] = {
@@ -31,12 +29,6 @@ UNREAD = re.compile(r"\$|\*\*|\bnan\b|\binf\b|None|Decimal|\de[-+]?\d", re.IGNOR
 each_scene = pytest.mark.parametrize("slug", SLUGS)
 
 
-def opened(slug: str, values: dict[str, Any]) -> Scene:
-    scene = SCENES[slug]()
-    scene.set(values)
-    return scene
-
-
 def told_by(scene: Scene) -> About | None:
     return scene.about(scene.shown)
 
@@ -47,25 +39,11 @@ def beyond(tables: tuple[Table, ...]) -> list[tuple[str, str, float]]:
 
 @each_scene
 def test_every_point_of_any_state_is_within_its_bound(slug: str) -> None:
-    @settings(max_examples=tries(28), phases=(Phase.explicit, Phase.generate))
-    @given(values(SCENES[slug], 4.0))
-    @example({})
-    @example({"c1": 0.1, "omega": 0.0} if slug == "forced" else {})
-    def holds(state: dict[str, Any]) -> None:
-        try:
-            scene = SCENES[slug](**state)
-            scene.about(scene.shown)
-        except ValueError:  # in words
-            return
-        check_points(scene)
-
-    for label in sample(list(SCENES[slug].presets)):
-        check_points(opened(slug, SCENES[slug].preset_all(label)))
-    holds()
+    rare = [{}, {"c1": 0.1, "omega": 0.0}] if slug == "forced" else [{}]
+    in_any_state(SCENES[slug], told_by, check_points, 28, 4.0, rare)
 
 
-def check_points(scene: Scene) -> None:
-    about = told_by(scene)
+def check_points(scene: Scene, about: About | None) -> None:
     assert about is not None and about.tables
     assert not beyond(about.tables), dict(scene.values)
     drawn = {float(value) for data in scene.shown.sources.values() for column in data.values() for value in column}

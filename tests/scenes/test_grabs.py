@@ -32,12 +32,7 @@ ALSO: dict[str, tuple[dict[str, Any], ...]] = {
     "absorber": ({"view": "rest", "x1_0": 0.002},),
 }
 """States in which something else is in hand."""
-FOLLOWS = {
-    "damped": ("c",),
-    "driven": ("c",),
-    "absorber": ("k2",),
-    "coupled": ("given_by", *BY_MODES, *START),
-}
+FOLLOWS = {"damped": ("c",), "driven": ("c",), "absorber": ("k2",), "coupled": ("given_by", *BY_MODES, *START)}
 """Parameters that follow from one that is set: a tuned spring follows the speed, modes a start."""
 
 

@@ -10,20 +10,20 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Mapping
+from operator import attrgetter
 from typing import Any
 
 import mpmath as mp
 import numpy as np
 import pytest
-from hypothesis import Phase, given, settings
 
 from components.quantities.readouts import SceneNumber
 from components.scene import Scene
 from components.scenes import SCENES
 from physics.analogues import ANALOGUES
 from physics.reference.damped import free_part
-from tests.grids import tries
-from tests.states import values
+from tests.scenes.checks import in_any_state
+from tests.states import DECADES
 
 Truth = dict[str, Any]
 DIGITS = 150
@@ -277,8 +277,6 @@ TRUTHS: dict[str, Callable[[Any], Truth]] = {
 
 scenes = pytest.mark.parametrize("scene", SCENES.values(), ids=SCENES.keys())
 TOLERANCE = 1e-9
-NO_SHRINK = (Phase.explicit, Phase.generate)
-"""A failing state is reported unshrunk, because shrinking would take minutes."""
 ROOTS = ("slow", "fast", "third", "fourth")
 OTHERWISE = {
     # test_one_mass
@@ -336,11 +334,7 @@ def test_the_numbers_are_those_of_another_route_and_of_the_texts(scene: type[Sce
     seen: set[str] = set()
     known: set[str] = set()
 
-    def compare(state: dict[str, object]) -> None:
-        try:
-            numbers = (one := scene.at(state)).numbers
-        except ValueError:
-            return
+    def compare(one: Scene, numbers: dict[str, SceneNumber]) -> None:
         for name, number in numbers.items():
             assert not math.isnan(number.value), name
             assert number.description and not number.description.endswith("."), name
@@ -349,13 +343,6 @@ def test_the_numbers_are_those_of_another_route_and_of_the_texts(scene: type[Sce
         check_texts(numbers, texts(one))
         known.update(numbers)
 
-    @settings(max_examples=tries(96), phases=NO_SHRINK)
-    @given(values(scene))
-    def check_random(state: dict[str, object]) -> None:
-        compare(state)
-
-    for label in scene.presets:
-        compare(dict(scene.preset_all(label)))
-    check_random()
+    in_any_state(scene, attrgetter("numbers"), compare, 96, DECADES)
     assert known - seen <= OTHERWISE.get(scene.slug, set())
     assert len(seen) >= 2

@@ -55,7 +55,7 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
         ({}, {"values.tau_glider": "12.4 s", "values.tau_light": "20.7 s", "values.tau_airliner": "113 s"}),
     ],
     "damped": [
-        ({"c": 40.0}, {"values.tau_d": "", "scalars.has_tau_d": 0, "numbers.omega_d": None, "numbers.delta": None}),
+        ({"c": 40.0}, {"values.tau_d": "", "scalars.has_tau_d": 0, "numbers.omega_d": None, "numbers.delta": None})
     ],
     "chain": [
         (

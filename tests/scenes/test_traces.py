@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 import pytest
-from hypothesis import Phase, given, settings
 
 from components.language.signals import Sampled
 from components.quantities.axes import TIME_AXIS, Axis
@@ -16,10 +13,8 @@ from components.scene.traces import resolved, samples
 from components.scenes import SCENES
 from components.state.scene_sheet import column_axes, plots
 from physics.sampling import drawable
-from tests.grids import tries
 from tests.page.headless_page import picture_wire
-from tests.scenes.checks import choices
-from tests.states import values
+from tests.scenes.checks import choices, in_any_state
 
 pytestmark = pytest.mark.timeout(600)
 TABLES = {"driven", "absorber"}
@@ -45,24 +40,16 @@ def axis_of(scene: type[Scene], picture: Picture, source: str, name: str) -> Axi
 def test_what_is_drawn_is_the_motion_of_the_physics_with_enough_points(slug: str) -> None:
     kind, checked = SCENES[slug], 0
 
-    @settings(max_examples=tries(48), phases=(Phase.explicit, Phase.generate))
-    @given(values(kind, 2.0))
-    def holds(state: dict[str, Any]) -> None:
+    def compare(scene: Scene, _: object) -> None:
         nonlocal checked
-        try:
-            scene = kind.at(state)
-            _ = [trace.columns for trace in scene.shown.traces.values()]
-        except ValueError:  # in words
-            return
-        checked += check_drawn(scene)
-
-    ways = (way for way in choices(kind) if not any(kind.linked()[name] in kind.physical for name in way))
-    for state in (*map(kind.preset_all, kind.presets), *ways):
-        scene = kind.at(state)
         checked += check_drawn(scene)
         check_points(scene)
-    if slug not in TABLES:
-        holds()
+
+    def drawn(scene: Scene) -> object:
+        return [trace.columns for trace in scene.shown.traces.values()]
+
+    ways = (way for way in choices(kind) if not any(kind.linked()[name] in kind.physical for name in way))
+    in_any_state(kind, drawn, compare, 0 if slug in TABLES else 48, rare=ways)
     assert checked or not any(plot.time for plot in plots(kind))
 
 
