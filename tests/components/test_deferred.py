@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cached_property
 from typing import NamedTuple
 
@@ -54,36 +55,30 @@ class Declarations(Declared[complex]):
     side = Family((1, 2), lambda i: Scalar[complex](lambda z, a: i * z.real))
 
 
-def test_a_misspelt_name_is_an_error_also_of_types() -> None:
-    """mypy, which asks for each of these remarks, finds them."""
-    with pytest.raises(AttributeError, match="a PointShown has no hlaf"):
-        c.hlaf  # type: ignore[attr-defined]  # noqa: B018
-    with pytest.raises(AttributeError):
-        Declarations.omga  # type: ignore[attr-defined]  # noqa: B018
-    with pytest.raises(KeyError):
-        Declarations.side[3]
-    with pytest.raises(AttributeError):
-        by_name({"x": 1.0})  # type: ignore[type-var]
+def form(name: str, *uses: tuple[object, str]) -> list[str]:
+    return [book_of(PointShown).form(recorded(of), [word], name) for of, word in uses]
 
 
-def test_nothing_is_decided_before_there_is_a_case() -> None:
-    with pytest.raises(TypeError, match="make what depends on it an attribute of the case"):
-        bool(c.a == 3.0)
-    with pytest.raises(TypeError, match="not an expression of a case"):
-        number(2.0)
-
-
-def test_a_number_is_written_in_one_way() -> None:
-    assert f"{c.twice:+}" == r"\val{twice}"
-    with pytest.raises(ValueError, match="written in two ways"):
-        f"{c.twice}"
-
-
-def test_a_form_has_one_meaning() -> None:
+@pytest.mark.parametrize(
+    ("wrong", "error", "says"),
+    [
+        # mypy asks for each of these remarks.
+        (lambda: c.hlaf, AttributeError, "a PointShown has no hlaf"),  # type: ignore[attr-defined]
+        (lambda: Declarations.omga, AttributeError, "omga"),  # type: ignore[attr-defined]
+        (lambda: Declarations.side[3], KeyError, "3"),
+        (lambda: by_name({"x": 1.0}), AttributeError, "no attribute"),  # type: ignore[type-var]
+        (lambda: bool(c.a == 3.0), TypeError, "make what depends on it an attribute of the case"),
+        (lambda: number(2.0), TypeError, "not an expression of a case"),
+        (lambda: f"{c.twice}", ValueError, "written in two ways"),
+        (lambda: form("of_one", (c.opposite, "formula"), (c.opposite, "shown")), ValueError, "used in two ways"),
+        (lambda: form("of_two", (c.opposite, "formula"), (c.a, "formula")), ValueError, "used in two ways"),
+    ],
+)
+def test_an_author_is_told_what_cannot_be_written(
+    wrong: Callable[[], object], error: type[Exception], says: str
+) -> None:
+    """A wrong name, a decision before there is a case, a number with two formats, and a form with two meanings."""
     either(c.a == 1.0, yes="one", no="others").forms()
-    book, record = book_of(PointShown), recorded(c.opposite)
-    book.form(record, ["formula"])
-    with pytest.raises(ValueError, match="used in two ways"):
-        book.form(record, ["shown"])
-    with pytest.raises(ValueError, match="used in two ways"):
-        book.form(recorded(c.a), ["formula"], "opposite")
+    assert f"{c.twice:+}" == r"\val{twice}"
+    with pytest.raises(error, match=says):
+        wrong()

@@ -82,17 +82,6 @@ def test_not_more_problems_than_can_be_read() -> None:
     assert len(problems) == MOST_PROBLEMS + 1 and problems[-1] == "92 more parts of this link are refused."
 
 
-@given(
-    st.dictionaries(
-        st.sampled_from(["scene", "m", "m1", "hidden", "energy", "cover", "frame.x", "frame.window", "?"]),
-        st.lists(st.binary(), max_size=3),
-    )
-)
-def test_no_query_breaks_the_server(args: dict[str, list[bytes]]) -> None:
-    link = read_query(args, SCENES)
-    assert link.values.keys() <= SCENES[link.slug].linked().keys()
-
-
 near = st.floats(-6, 3).flatmap(lambda power: st.sampled_from((10**power, -(10**power))))
 spans = st.tuples(size := st.floats(-1e300, 1e300), size) | st.builds(
     lambda end, by: (end, end + by * abs(end)), st.floats(-1e100, 1e100), near

@@ -120,7 +120,7 @@ def test_each_form_has_its_words(slug: str) -> None:
 @scenes
 def test_names_in_a_sheet_are_those_of_its_scene(slug: str) -> None:
     """Sliders, marks, buttons and drags set parameters; the term of a heading has the group of a curve that it
-    switches; what is read aloud is in some picture."""
+    switches; a preset has a sentence; what is read aloud is in some picture."""
     scene = SCENES[slug]
     named = [block.name for block in blocks(scene.sheet()) if isinstance(block, ChoiceBlock)]
     named += [name for _, grab in grabs(scene) for name in (*sets(grab), *(begin.parameter for begin in grab.start))]
@@ -130,6 +130,7 @@ def test_names_in_a_sheet_are_those_of_its_scene(slug: str) -> None:
         assert actions <= {name for group in scene.groups for name, _ in group.actions}
         assert {term.curve for term in plot.heading} <= {"", *(one.group for one in (*plot.curves, *plot.regions))}
     assert set(named) <= scene.parameters().keys()
+    assert list(scene.watch) == list(scene.presets)
     for values in scene.presets.values():
         one = scene(**values)
         assert {*one.shown.spans, *one.units()} <= scene.quantities()

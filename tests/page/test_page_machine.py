@@ -7,7 +7,6 @@ is worded, the picture is finite, hidden answers are in no message, and the work
 from __future__ import annotations
 
 import json
-import math
 from typing import Any
 
 import msgspec
@@ -41,6 +40,7 @@ from components.walks.loading import load_walks
 from tests.attack.budgets import PICTURE, counted
 from tests.grids import tries
 from tests.page.headless_page import Page, unpacked
+from tests.page.test_refusals import MALFORMED, WORDED
 from tests.scenes.checks import as_arguments, check_picture, quantities
 from tests.states import covers, number, value
 
@@ -62,19 +62,11 @@ START = "given_by"
 FOLLOWING = {"own"}
 """Choices that follow from the other values."""
 STRANGE: tuple[dict[str, Any], ...] = (
-    {"type": "set", "values": {"nothing": 1.0}},
-    {"type": "set", "values": {"k2": math.nan}},
-    {"type": "set", "values": {"k2": "three"}},
-    {"type": "choose", "name": "view", "value": "loud"},
-    {"type": "choose", "name": "hidden", "value": ["<b>"]},
-    {"type": "act", "name": "nothing"},
-    {"type": "open", "state": {"scene": "nowhere"}},
-    {"type": "open", "state": {"scene": "forced", "parameters": {"omega": 1e300}}, "carried": True},
-    {"type": "open", "state": {"scene": "coupled", "frame": {"window": -1.0}}},
-    {"type": "open", "state": {"scene": "coupled", "covered": ["plot:nothing"]}},
-    {"type": "run", "order": "sideways"},
-    {"type": "unknown"},
+    *({"type": "set", "values": {"nothing": 1.0}}, {"type": "choose", "name": "view", "value": "loud"}),
+    *(message for _, message, _, _ in WORDED if message["type"] == "open"),
+    *(message for message in MALFORMED if isinstance(message, dict) and type(message.get("type")) is str),
 )
+"""Messages that every scene refuses."""
 
 
 def chosen(scene: type[Scene]) -> list[tuple[str, Any]]:

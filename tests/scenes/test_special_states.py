@@ -58,33 +58,17 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
         ({"c": 40.0}, {"values.tau_d": "", "scalars.has_tau_d": 0, "numbers.omega_d": None, "numbers.delta": None})
     ],
     "chain": [
-        (
-            {"N": 8, "ends": "free-free", "starts": "mass", "p": 1.0, "h": 0.0, "v_0": 1.0},
-            {"notes": "0.125 m/s", "numbers.slowest": 0.0},
-        ),
+        ({"N": 8, "ends": "free-free", "starts": "mass", "p": 1.0, "h": 0.0, "v_0": 1.0}, {"notes": "0.125 m/s",
+         "numbers.slowest": 0.0}),
         ({"ends": "free-free"}, {"notes": None}),
     ],
     "driven": [
         ({"omega": 0.0}, {"holds": "At ω = 0 nothing pushes", "scalars.polygon_idle": 1, "columns.power": None}),
-        (
-            {"view": "harmonics", "push": "step"},
-            {
-                "forms.meets": "once",
-                "forms.repeats": "",
-                "scalars.omega_at": None,
-                "scalars.M_at": None,
-                "numbers.X": None,
-            },
-        ),
+        ({"view": "harmonics", "push": "step"}, {"forms.meets": "once", "forms.repeats": "", "scalars.omega_at": None,
+         "scalars.M_at": None, "numbers.X": None}),
         ({"F_0": 0.0, "x_0": 0.1}, {"holds": "No push", "scalars.polygon_idle": 1, "columns.power": None}),
-        (
-            {"omega": OWN, "c": 0.0},
-            {
-                "holds": "Nothing balances the push: each swing grows by the same 0.159 m.",
-                "scalars.M_at": None,
-                "scalars.polygon_growing": 1,
-            },
-        ),
+        ({"omega": OWN, "c": 0.0}, {"holds": "Nothing balances the push: each swing grows by the same 0.159 m.",
+         "scalars.M_at": None, "scalars.polygon_growing": 1}),
         ({"axes": "log", "omega": 0.0}, {"scalars.omega_at": None}),
         ({}, {"scalars.natural": None, "scalars.peak_up": None}),
         # The power has a peak of the width Δω under a force; under an unbalance it rises without end.
@@ -104,10 +88,8 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
         ({"view": "convolution", "F_0": 0.0}, {"sums": "No push", "columns.outline": None}),
         ({"view": "convolution", "push": "step", "window": 1e3}, {"sums": "too fast for a line"}),
         ({"view": "convolution", "push": "impulses", "omega": 1e5}, {"sums": "too fast for a line"}),
-        (
-            {"view": "convolution", "push": "impulses", "omega": 2.0},
-            {"sums": "An impulse is a slice already", "forms.has_slices": "", "forms.tail": "each_jolt"},
-        ),
+        ({"view": "convolution", "push": "impulses", "omega": 2.0}, {"sums": "An impulse is a slice already",
+         "forms.has_slices": "", "forms.tail": "each_jolt"}),
     ],
     "coupled": [
         ({"k1": 0.0, "k2": 0.0, "v1_0": 1.0}, {"sources.time.x1_fast": None, "forms.slow_omega": "two"}),
@@ -134,17 +116,13 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
         ),
         ({"view": "roots", "c1": 0.1}, {"scalars.met": 1, "scalars.met1": -0.5, "scalars.met1_im": math.sqrt(1.75)}),
         ({"view": "roots", "c1": 0.1, "grows": "c2"}, {"scalars.met": 0}),
-        *(
-            ({"view": view, "c1": 0.1}, {"notes": "without the dashpots"})
-            for view in ("guess", "solve", "sweep", "hunt")
-        ),
+        *(({"view": view, "c1": 0.1}, {"notes": "without the dashpots"}) for view in ("guess", "solve", "sweep",
+         "hunt")),
         ({"view": "guess", "omega": math.sqrt(3)}, {"values.a11": "0.00", "values.row1": "+0.00"}),
         ({"view": "guess", "omega": math.nextafter(1.0, 2.0)}, {"forms.agree": "same_slow", "values.D": "0.00"}),
         ({"view": "guess", "omega": math.nextafter(2.0, 1.0)}, {"forms.agree": "same_fast", "values.apart": "0.00"}),
-        (
-            {"view": "hunt"},
-            {"forms.answer": "", "columns.answer": None, "values.answer_slow": None, "values.omega_slow": None},
-        ),
+        ({"view": "hunt"}, {"forms.answer": "", "columns.answer": None, "values.answer_slow": None,
+         "values.omega_slow": None}),
         ({"view": "hunt", "answer": "shown"}, {"values.answer_slow": "+2.00", "values.answer_fast": "−1.00"}),
     ],
     "forced": [
@@ -152,10 +130,8 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
         ({"omega": 0.65, "curve": "signed"}, {"scalars.Xp1_over": 0, "scalars.Xp1_under": 1, "scalars.Xp2_under": 1}),
         ({}, {"scalars.Xp1_over": 0, "scalars.Xp2_under": 0}),
         ({"k1": 100.0}, {"spans.omega": (0.0, 25.126)}),
-        (
-            {"curve": "signed", "axes": "lecture"},
-            {"scalars.mark_minus": GOLDEN, "scalars.mark_plus": 1 / GOLDEN, "scalars.mark_still": 1.0},
-        ),
+        ({"curve": "signed", "axes": "lecture"}, {"scalars.mark_minus": GOLDEN, "scalars.mark_plus": 1 / GOLDEN,
+         "scalars.mark_still": 1.0}),
         ({"k1": 0.0, "axes": "lecture"}, {"forms.lecture": "", "notes": "k₁", "axes.X.unit": "m"}),
         ({"omega": 1.3}, {"values.way1": "with F", "values.way2": "against F"}),
         ({"m1": 2.0, "k1": 4.0, "k2": 2.0, "omega": 1.0}, {"values.growth1": "0.0833", "values.growth2": "0.167"}),
@@ -167,10 +143,8 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
         ({"view": "bode", "c1": 0.1, "c2": 0.1}, {"axes.omega.log": True, "axes.X.log": True}),
         ({"view": "bode", "c1": 0.1, "c2": 0.1, "scale": "size"}, {"axes.omega.log": False}),
         ({"view": "response", "c1": 0.1, "c2": 0.1, "scale": "log"}, {"axes.omega.log": False}),
-        (
-            {"view": "bode", **LIGHT, "omega": 1.1},
-            {"text": "peaks at 0.617 (width 0.0383) and 1.62 (width 0.256) rad/s"},
-        ),
+        ({"view": "bode", **LIGHT, "omega": 1.1},
+         {"text": "peaks at 0.617 (width 0.0383) and 1.62 (width 0.256) rad/s"}),
         (LIGHT, {"scalars.peak1_0": None}),
         ({"c1": 0.2, "omega": 1.0}, {"numbers.Xp1": 0.0, "scalars.mark_still": 1.0}),
         ({"k1": 0.0}, {"scalars.mark_minus": 0.0}),
@@ -182,24 +156,15 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
         ({}, {"values.found0": "nearest is 16.1 % away: ω₋ 40.3 rad/s"}),
         ({}, {"values.found1": "xₚ: 0.00 mm; from rest within 5.18 mm"}),
         ({}, {"values.found2": "xₚ: 13.6 mm; from rest within 26.9 mm"}),
-        (
-            {"own": True, "m1": 2.0, "k1": 4.0, "F_0": 1.0, "omega": 1.0, "m2": 1.0, "k2": 2.0},
-            {
-                "forms.why": "grow",
-                "scalars.is_grow": 1,
-                "values.found1": "no Xₚ here: it grows without limit",
-                "values.judged": "from rest",
-            },
-        ),
+        ({"own": True, "m1": 2.0, "k1": 4.0, "F_0": 1.0, "omega": 1.0, "m2": 1.0, "k2": 2.0}, {"forms.why": "grow",
+         "scalars.is_grow": 1, "values.found1": "no Xₚ here: it grows without limit", "values.judged": "from rest"}),
         ({**MACHINE, "omega": math.sqrt(1 / 3)}, {"values.found1": "xₚ: 0.00 m; from rest within"}),
-        (
-            {**MACHINE, "tuning": "free", "omega": slow(m1=3.0, m2=1.0, k1=1.0, k2=1 / 3), "k2": 1 / 3},
-            {"values.found1": "no Xₚ here: it grows without limit", "forms.first": "none"},
-        ),
+        ({**MACHINE, "tuning": "free", "omega": slow(m1=3.0, m2=1.0, k1=1.0, k2=1 / 3), "k2": 1 / 3},
+         {"values.found1": "no Xₚ here: it grows without limit", "forms.first": "none"}),
         (ALONE_BESIDE, {"scalars.alone_beats": 1, "scalars.alone_grows": 0}),
         ({**BESIDE, "view": "rest"}, {"forms.why_rest": "beat"}),
     ],
-}
+}  # fmt: skip
 """States of each scene and what they show: numbers, scalars, forms and values by name, None if there is none; a part
 of the sentence with a name; a part of all visible sentences or notes."""
 
