@@ -130,13 +130,6 @@ def as_arguments(query: str) -> dict[str, list[bytes]]:
     return {name: [v.encode() for v in values] for name, values in parse_qs(query, keep_blank_values=True).items()}
 
 
-def solves(scene: Scene) -> list[Any]:
-    """Grows by every picture that the scene makes from now on."""
-    counted: list[Any] = []
-    scene.on_picture(counted.append)
-    return counted
-
-
 def moved(scene: type[Scene]) -> dict[str, float]:
     """Another value for one quantity of the first visible group."""
     forms = scene().shown.forms

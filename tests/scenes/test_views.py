@@ -16,14 +16,13 @@ from components.language.state import State
 from components.layout.sheet import in_force
 from components.layout.views import KEYS, View, shown_blocks
 from components.quantities.motion import derived
-from components.quantities.parameters import Quantity
-from components.scene import Scene
 from components.scenes import SCENES
 from components.state.link import read_query
 from components.state.page_state import PageState, changed, fitted, page_state_in, with_values
 from components.state.scene_sheet import scene_sheet
 from components.state.sent_picture import drawn_on, sent_picture
 from components.state.states import state_in
+from tests.scenes.checks import moved
 
 VIEWS = [(slug, view.slug) for slug, scene in SCENES.items() for view in scene.views]
 views = pytest.mark.parametrize(("slug", "view"), VIEWS)
@@ -70,8 +69,7 @@ def test_a_page_of_one_view_shows_what_the_whole_picture_shows_there(slug: str, 
     check_file(whole, whole if slug in OTHER_MOTIONS else fitted(kind.at()))
     page = replace(page_state_in(kind, whole.state), in_view=True)
     check_parts(page, next(one for one in kind.views if one.slug == view))
-    for name, value in _moved(kind).items():
-        whole, page = (with_values(now, {name: value}) for now in (whole, page))
+    whole, page = (with_values(now, moved(kind)) for now in (whole, page))
     part = page.drawn.picture
     one, other = sent_picture(page, part), sent_picture(replace(page, drawn=whole.drawn), whole.shown)
     assert page.drawn.frame == whole.drawn.frame and page.query == whole.query
@@ -108,17 +106,6 @@ def read_aloud(now: PageState, view: str) -> dict[str, str]:
     plots = [one.says for one in shown_blocks(now.kind.sheet(), view) if isinstance(one, PlotBlock)]
     sentences = " ".join(text for spoken in (scene_sheet(now.kind).spoken, *plots) for text in spoken.values())
     return {name: now.shown.values[name] for name in re.findall(r"{(\w+)}", sentences) if name in now.shown.values}
-
-
-def _moved(kind: type[Scene]) -> dict[str, float]:
-    """The first quantity of the panel that is not a count, with a slightly larger value."""
-    names = (name for group in kind.groups for name in group.names)
-    known = ((name, kind.param[name]) for name in names)
-    return next(
-        {name: 1.1 * one.default}
-        for name, one in known
-        if isinstance(one, Quantity) and one.scale != "count" and one.default
-    )
 
 
 def test_a_list_of_parts_replaces_the_view_until_a_tab_is_pressed() -> None:
