@@ -31,7 +31,7 @@ from components.walks.walk import Step
 from tests.grids import sample
 from tests.page.headless_page import Page, change, say, set_values
 from tests.page.scripts import played
-from tests.scenes.checks import quantities
+from tests.scenes.checks import changes
 
 NUMBER = re.compile(r"[0-9][0-9.]*")
 """Digits of a number in a text."""
@@ -129,17 +129,6 @@ def _ratio(scene: type[Scene], values: dict[str, float]) -> str:
     ((name, value),) = values.items()
     default = scene.param[name].default
     return three(value / default) if default else ""
-
-
-def changes(scene: type[Scene]) -> Iterator[dict[str, float]]:
-    """Yield every quantity of the panel, each alone at another value."""
-    first = scene()
-    for group in first.groups:
-        for name in group.names:
-            quantity = scene.param[name]
-            if name in quantities(scene) and group.is_shown(first.shown.forms):
-                value = 0.37 * quantity.softbounds[0] + 0.63 * quantity.softbounds[1]
-                yield {name: round(value) if quantity.scale == "count" else value}
 
 
 def round_numbers(page: Page) -> list[Any]:

@@ -11,12 +11,11 @@ import pytest
 from components.quantities.axes import TIME_AXIS
 from components.scene.picture import frame_of
 from components.scenes import SCENES
-from components.session.opening import opened
 from components.state.encoding import COARSE, span
 from components.state.link import read_query
 from components.state.scene_sheet import column_axes
 from tests.page.headless_page import Page, change, set_values, unpacked
-from tests.scenes.checks import as_arguments, moved
+from tests.scenes.checks import as_arguments, by_link, changes
 
 scenes = pytest.mark.parametrize("slug", SCENES)
 
@@ -35,7 +34,7 @@ def test_the_compared_picture_is_the_earlier_one_in_the_current_frame(slug: str)
     told = hold(page)
     assert told["errors"] == {} and told["state"]["held"] == {}
     assert (told["held"]["columns"], told["held"]["values"]) == ({}, {}), "nothing has changed yet"
-    value = moved(SCENES[slug])
+    value = next(changes(SCENES[slug]))
     told = set_values(page, **value)
     assert told["errors"] == {} and set(told["held"]["values"]) >= set(value)
     assert page.now.drawn.beside
@@ -70,5 +69,5 @@ def test_a_link_names_what_it_cannot_hold() -> None:
         "“view” is not a parameter of this scene.", "k2", "held",
     ]  # fmt: skip
     assert link.held is None
-    told = unpacked(opened(SCENES, read_query(as_arguments("scene=coupled&held.k2=5"), SCENES)).opening())
+    told = unpacked(by_link("scene=coupled&held.k2=5").opening())
     assert told["held"]["values"] == {"k2": 5.0}

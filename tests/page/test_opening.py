@@ -9,12 +9,11 @@ from msgspec.structs import replace
 
 from app import visited
 from components.scenes import SCENES
-from components.session.opening import opened
-from components.state.link import read_query, write_query
+from components.state.link import write_query
 from components.state.page_state import fitted
 from components.state.scene_sheet import sheet_address
 from tests.page.headless_page import Page, say, set_values, unpacked
-from tests.scenes.checks import as_arguments
+from tests.scenes.checks import by_link
 
 PRESETS = {"oscillator": "Pulled", "analogues": "10°", "phugoid": "Deep, 0.6"}
 """The presets with which scenes open; other scenes open with their first."""
@@ -29,9 +28,7 @@ def test_a_page_opens_as_its_scene_declares_by_its_address_and_by_a_click(slug: 
     assert slug != "oscillator" or visited({}, {}).now.scene.values == scene.values, "the first page of all"
     plain = SCENES[slug].at()
     link = write_query(fitted(plain).state, SCENES[slug])
-    assert opened(SCENES, read_query(as_arguments(link), SCENES)).now.scene.values == plain.values, (
-        "without its presets"
-    )
+    assert by_link(link).now.scene.values == plain.values, "without its presets"
     page = Page(SCENES["coupled" if slug == "accuracy" else "accuracy"]())
     told = say(page, "open", state={"scene": slug}, carried=True)
     assert page.scene.values == scene.values
@@ -39,8 +36,7 @@ def test_a_page_opens_as_its_scene_declares_by_its_address_and_by_a_click(slug: 
 
 
 def test_what_a_link_asks_of_a_picture_is_named_where_it_has_no_such_thing() -> None:
-    link = read_query(as_arguments("scene=coupled&k2=3&frame.fruit=1,2&cover=plot:x2,plot:pear"), SCENES)
-    session = opened(SCENES, link)
+    session = by_link("scene=coupled&k2=3&frame.fruit=1,2&cover=plot:x2,plot:pear")
     assert session.now.state == replace(session.now.state, covered=("plot:x2",), parameters={"k2": 3.0})
     assert unpacked(session.opening())["problems"] == [
         "frame.fruit: “fruit” is not an axis of this picture.",
@@ -92,7 +88,6 @@ def test_a_system_goes_along_to_every_scene_that_shows_it(slug: str, values: dic
         opens, parameters = SCENES[scene].opens, told["state"]["parameters"]
         assert told["errors"] == {} and opens.items() <= parameters.items(), "it opens as a page of it does"
         assert {name: value for name, value in parameters.items() if name not in opens} == has
-    link = read_query(as_arguments(page.now.query), SCENES)
-    assert opened(SCENES, link).now.state.parameters == page.now.state.parameters, "the link says all of it"
+    assert by_link(page.now.query).now.state.parameters == page.now.state.parameters, "the link says all of it"
     own = say(page, "open", state={"scene": "modes", "parameters": {"k2": 9.0}})
     assert own["state"]["parameters"] == {"k2": 9.0}, "a state has its own system"

@@ -19,6 +19,9 @@ from components.quantities.parameters import Quantity
 from components.scene import Picture, Scene
 from components.scene.traces import Columns
 from components.scenes import SCENES
+from components.session.opening import opened
+from components.session.session import Session
+from components.state.link import read_query
 from components.state.page_state import PageState
 from tests.grids import tries
 from tests.page.headless_page import picture_wire
@@ -130,12 +133,18 @@ def as_arguments(query: str) -> dict[str, list[bytes]]:
     return {name: [v.encode() for v in values] for name, values in parse_qs(query, keep_blank_values=True).items()}
 
 
-def moved(scene: type[Scene]) -> dict[str, float]:
-    """Another value for one quantity of the first visible group."""
-    forms = scene().shown.forms
-    shown = [name for group in scene.groups if group.is_shown(forms) for name in group.names]
-    name = next(name for name in shown if name in quantities(scene))
-    return {name: 0.5 * (scene.param[name].default + scene.param[name].softbounds[1])}
+def changes(scene: type[Scene]) -> Iterator[dict[str, float]]:
+    """Every quantity of the panel, each alone at another value."""
+    known, forms = quantities(scene), scene().shown.forms
+    names = [name for group in scene.groups if group.is_shown(forms) for name in group.names if name in known]
+    for name in names:
+        value = 0.37 * known[name].softbounds[0] + 0.63 * known[name].softbounds[1]
+        yield {name: round(value) if known[name].scale == "count" else value}
+
+
+def by_link(query: str) -> Session:
+    """The session that a link opens."""
+    return opened(SCENES, read_query(as_arguments(query), SCENES))
 
 
 def taken(slug: str, label: str) -> Any:

@@ -26,9 +26,9 @@ from components.session.links import page_state_of
 from components.state.link import Link, read_query
 from components.state.page_state import PageState
 from tests.grids import tries
-from tests.page.headless_page import Page
+from tests.page.headless_page import Page, set_values
 from tests.page.scripts import played
-from tests.scenes.checks import as_arguments, check_picture, choices, moved, quantities
+from tests.scenes.checks import as_arguments, changes, check_picture, choices
 from tests.states import links
 
 ALL_DOUBLES = 60.0
@@ -76,7 +76,11 @@ def check_signals(shown: Picture, share: float) -> None:
 def test_each_change_is_one_solve(scene_class: type[Scene]) -> None:
     scene, counted = scene_class(), list[Picture]()
     scene.on_picture(counted.append)
-    for values in (moved(scene_class), *choices(scene_class), *map(scene_class.preset_all, scene_class.presets)):
+    for values in (
+        next(changes(scene_class)),
+        *choices(scene_class),
+        *map(scene_class.preset_all, scene_class.presets),
+    ):
         counted.clear()
         is_another = bool(scene.differing(values))
         scene.set(values)
@@ -87,11 +91,9 @@ def test_each_change_is_one_solve(scene_class: type[Scene]) -> None:
 @scenes
 def test_a_change_is_small(scene_class: type[Scene]) -> None:
     page = Page(scene_class())
-    for number, (name, quantity) in enumerate(quantities(scene_class).items(), start=1):
-        low, high = quantity.softbounds
-        value = 1.1 * (quantity.default or 0.1 * high)
-        page.send({"type": "set", "values": {name: min(max(value, low), high)}, "number": 2 * number})
-        page.send({"type": "set", "values": {name: quantity.default}, "number": 2 * number + 1})
+    for values in changes(scene_class):
+        set_values(page, **values)
+        set_values(page, **{name: scene_class.param[name].default for name in values})
     assert max(len(packet["data"]) for packet in page.packets) + FRAMES <= MOST_BYTES.get(scene_class.slug, 3000)
 
 

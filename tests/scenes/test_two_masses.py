@@ -20,9 +20,7 @@ from components.scenes.chain import Chain
 from components.scenes.forced import Forced
 from components.scenes.forced.damped_case import DampedForcedCase
 from components.scenes.forced.response import response_plot
-from components.session.opening import opened
 from components.state.covers import without
-from components.state.link import read_query
 from components.state.page_state import fitted
 from physics.absorber import den_hartog
 from physics.bode_curves import locus_frequencies
@@ -35,7 +33,7 @@ from tests.grids import tries
 from tests.page.hand import Hand, grabs
 from tests.page.headless_page import Page, apply_message, change, say, set_values, take_preset
 from tests.page.scripts import call
-from tests.scenes.checks import as_arguments, check_picture
+from tests.scenes.checks import by_link, check_picture
 
 U = 2.0**-53
 SIZE, TWO_SIZES = st.floats(-6, 6).map(lambda power: 10**power), st.tuples(*2 * (st.floats(0.01, 2),))
@@ -221,8 +219,7 @@ def test_a_link_and_a_state_carry_the_lightest_solution_which_is_looked_at_again
     page = Page(Absorber(m2=30.0))
     told = set_values(page, m2=40.0)
     assert told["view"]["values"]["lightest"] == "30 kg"
-    again = opened(SCENES, read_query(as_arguments(told["query"]), SCENES))
-    assert again.now.shown.values["lightest"] == "30 kg"
+    assert by_link(told["query"]).now.shown.values["lightest"] == "30 kg"
     state = {**told["state"], "parameters": {**told["state"]["parameters"], "lightest": 3.0}}
     assert change(page, **state)["view"]["values"]["lightest"] == "40 kg", "no absorber of 3 kg does it"
     assert set_values(page, lightest=3.0)["errors"], "nobody sets it"

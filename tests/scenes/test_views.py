@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
-from urllib.parse import parse_qs
 
 import numpy as np
 import pytest
@@ -22,7 +21,7 @@ from components.state.page_state import PageState, changed, fitted, page_state_i
 from components.state.scene_sheet import scene_sheet
 from components.state.sent_picture import drawn_on, sent_picture
 from components.state.states import state_in
-from tests.scenes.checks import moved
+from tests.scenes.checks import as_arguments, changes
 
 VIEWS = [(slug, view.slug) for slug, scene in SCENES.items() for view in scene.views]
 views = pytest.mark.parametrize(("slug", "view"), VIEWS)
@@ -30,8 +29,7 @@ views = pytest.mark.parametrize(("slug", "view"), VIEWS)
 
 def opened(query: str) -> PageState:
     """The page of a link, which has no problems."""
-    args = {key: [text.encode() for text in texts] for key, texts in parse_qs(query, keep_blank_values=True).items()}
-    link = read_query(args, SCENES)
+    link = read_query(as_arguments(query), SCENES)
     assert not link.problems
     return page_state_in(SCENES[link.slug], state_in(link))
 
@@ -69,7 +67,7 @@ def test_a_page_of_one_view_shows_what_the_whole_picture_shows_there(slug: str, 
     check_file(whole, whole if slug in OTHER_MOTIONS else fitted(kind.at()))
     page = replace(page_state_in(kind, whole.state), in_view=True)
     check_parts(page, next(one for one in kind.views if one.slug == view))
-    whole, page = (with_values(now, moved(kind)) for now in (whole, page))
+    whole, page = (with_values(now, next(changes(kind))) for now in (whole, page))
     part = page.drawn.picture
     one, other = sent_picture(page, part), sent_picture(replace(page, drawn=whole.drawn), whole.shown)
     assert page.drawn.frame == whole.drawn.frame and page.query == whole.query
