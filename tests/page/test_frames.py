@@ -13,7 +13,6 @@ from hypothesis import strategies as st
 from msgspec.structs import replace
 
 from components.language.state import Frame
-from components.layout.choices import stated
 from components.quantities.axes import TIME_AXIS, Axis, nice_axis, ordered, widest
 from components.scene import Picture
 from components.scene.frames import FITTED, grown
@@ -161,18 +160,6 @@ def test_the_axes_that_a_hand_moves_along_stay_and_the_others_grow(slug: str) ->
         let_go(page, along=along)
         for axis in along:
             assert abs(np.diff(frame(page).ranges[axis])) >= abs(np.diff(now.ranges[axis])), grab.label
-
-
-@scenes
-def test_a_preset_fits(slug: str) -> None:
-    page = page_of(slug)
-    for label, values in SCENES[slug].presets.items():
-        set_values(page, window=3.0)
-        parameters = {name: stated(value) for name, value in values.items()}
-        told = say(page, "open", state={"scene": slug, "parameters": parameters})
-        fresh = page_of(slug, **values).opening()
-        assert (told["errors"], told["state"]["frame"]) == ({}, None)
-        assert all(told["view"][part] == fresh["view"][part] for part in ("axes", "pace")), label
 
 
 def test_a_chosen_window_stays_and_another_way_of_showing_fits_what_it_changes_and_nothing_else() -> None:

@@ -76,11 +76,8 @@ def check_signals(shown: Picture, share: float) -> None:
 def test_each_change_is_one_solve(scene_class: type[Scene]) -> None:
     scene, counted = scene_class(), list[Picture]()
     scene.on_picture(counted.append)
-    for values in (
-        next(changes(scene_class)),
-        *choices(scene_class),
-        *map(scene_class.preset_all, scene_class.presets),
-    ):
+    presets = map(scene_class.preset_all, scene_class.presets)
+    for values in (next(changes(scene_class)), *choices(scene_class), *presets):
         counted.clear()
         is_another = bool(scene.differing(values))
         scene.set(values)
