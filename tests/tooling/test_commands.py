@@ -1,4 +1,4 @@
-"""Files around the code: locked requirements, the commands of the documents, the Dockerfile."""
+"""Files around the code: locked requirements, commands of the documents, Dockerfile, package."""
 
 from __future__ import annotations
 
@@ -9,23 +9,31 @@ import re
 import shutil
 import subprocess
 import sys
+import sysconfig
 import tomllib
+import venv
 from collections.abc import Iterator
 from contextlib import contextmanager
-from importlib.metadata import distributions
+from importlib.metadata import PackageNotFoundError, distribution, distributions
 from pathlib import Path
+from subprocess import PIPE
 from types import SimpleNamespace
 from urllib.request import urlopen
+from zipfile import ZipFile
 
 import pytest
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
+from components.scenes.accuracy.measuring import LIVE
+from physics.integrators.accuracy import SYSTEMS
+from physics.integrators.accuracy_worker import encoded_system
 from tests.attack.caller import ask, token_of
 from tests.browser.fixtures import pytest_ignore_collect
 from tests.serving.server import ROOT, START, Server, free_port, serving
 from tests.serving.visitor import Visitor
 from tools.audit import findings
+from tools.cut import cut
 from tools.readme import table
 
 LOCKS = ("requirements.txt", "requirements-notebook.txt", "requirements-test.txt")
@@ -33,6 +41,7 @@ PAGES = {name: (ROOT / name).read_text("utf-8") for name in ("README.md", "CONTR
 MAKES = re.compile("MAKE|MFLAGS|VENV|(ARGS|PORT|PYTHON)$")
 PLAIN = {name: value for name, value in os.environ.items() if not MAKES.match(name)}
 """The environment without the settings of the make that runs these tests."""
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 DOCKERFILE = (ROOT / "Dockerfile").read_text(encoding="utf-8")
 PIN = re.compile(
     r"^([a-z0-9-]+)(?:\[[\w,-]+\])?==([\w.]+)((?: ; [^\\]+)?) \\\n((?:    --hash=sha256:[0-9a-f]{64}(?: \\)?\n)+)", re.M
@@ -72,10 +81,9 @@ def test_every_requirement_is_pinned_with_hashes_and_extras_and_no_host_is_named
     text = (ROOT / name).read_text()
     assert [line for line in PIN.sub("", text).splitlines() if not re.match(r" *#", line)] == []
     assert not re.search(r"://|--(extra-)?index|--find-links|--trusted-host|@ ", text)
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     asked = {
-        "requirements.txt": project["dependencies"],
-        "requirements-notebook.txt": project["dependencies"] + project["optional-dependencies"]["notebook"],
+        "requirements.txt": PROJECT["dependencies"],
+        "requirements-notebook.txt": PROJECT["dependencies"] + PROJECT["optional-dependencies"]["notebook"],
         "requirements-test.txt": re.findall(r"^[a-z].*", (ROOT / "requirements-test.in").read_text(), re.M),
     }[name]
     assert {Requirement(need).name for need in asked} <= pinned(name).keys()
@@ -287,3 +295,77 @@ async def accepts(server: Server, origin: str) -> bool:
         return False
     await visitor.depart()
     return True
+
+
+# The package, which also runs outside the checkout, and the container's reduced packages.
+
+PIP = (sys.executable, "-m", "pip", "--quiet", "--disable-pip-version-check")
+MADE = "import app, components.serving.__main__; from components.scenes import SCENES; [S() for S in SCENES.values()]"
+
+
+def test_the_citation_has_the_version_and_licence_of_the_package() -> None:
+    cited = dict(re.findall(r"^(\w+): (\S+)$", (ROOT / "CITATION.cff").read_text(encoding="utf-8"), re.M))
+    assert (cited["version"], cited["license"]) == (PROJECT["version"], PROJECT["license"])
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(300)  # pip installs a package
+def test_an_installed_lecture_has_its_files_and_serves_its_first_page(tmp_path: Path) -> None:
+    alone = ("--no-deps", "--no-index", "--no-build-isolation")
+    subprocess.run([*PIP, "wheel", *alone, "--wheel-dir", tmp_path, ROOT], check=True)
+    (wheel,) = tmp_path.glob("*.whl")
+    folders = (ROOT / name for name in ("components", "physics", "static"))
+    files = (path for folder in folders for path in folder.rglob("*") if path.is_file() and path.suffix != ".pyc")
+    wanted = {"app.py", "reading.py", *(path.relative_to(ROOT).as_posix() for path in files)}
+    assert {name for name in ZipFile(wheel).namelist() if ".dist-info/" not in name} == wanted
+    venv.create(tmp_path / "env", with_pip=False)
+    (python,) = tmp_path.glob("env/*/python")
+    subprocess.run([*PIP, "--python", python, "install", "--no-deps", "--no-index", wheel], check=True)
+    (packages,) = tmp_path.glob("env/lib/*/site-packages")
+    # The requirements of the lecture are installed there.
+    (packages / "needs.pth").write_text(sysconfig.get_path("purelib"))
+    port = free_port()
+    command = [str(python.parent / "oscillations"), "--address", "127.0.0.1", "--port", str(port)]
+    with serving(tmp_path / "log", port=port, command=command, folder=tmp_path) as server:
+        for link in ("", "?scene=coupled", "?walk=d34"):
+            assert b"</html>" in urlopen(server.url + link, timeout=20).read()
+        assert b"x1 [m]" in urlopen(server.url + "data.csv?scene=coupled", timeout=60).read()  # of the worker process
+    assert not server.complaints()
+
+
+def copy_packages(folder: Path) -> None:
+    """Copy the packages that the app requires, as installed here."""
+    for name in re.findall(r"^([a-z0-9-]+)==", (ROOT / "requirements.txt").read_text(), re.M):
+        try:
+            files = distribution(name).files or []
+        except PackageNotFoundError:  # for another system or Python version
+            continue
+        for file in files:
+            source = Path(str(file.locate()))
+            if ".." not in file.parts and source.exists():  # bytecode may be missing
+                (folder / file).parent.mkdir(parents=True, exist_ok=True)
+                try:
+                    os.link(source, folder / file)
+                except OSError:  # on another disk
+                    shutil.copy2(source, folder / file)
+
+
+def run(packages: Path, *arguments: str, order: str = "") -> str:
+    """Return the output of a Python process that has only these packages and gets an order on its standard input."""
+    environment = {**os.environ, "PYTHONPATH": str(packages), "PYTHONDONTWRITEBYTECODE": "1"}
+    command = [sys.executable, "-S", *arguments]
+    with subprocess.Popen(command, cwd=ROOT, env=environment, stdin=PIPE, stdout=PIPE, text=True) as process:
+        assert process.stdin and process.stdout
+        process.stdin.write(order + "\n")
+        process.stdin.flush()
+        return process.stdout.read()
+
+
+@pytest.mark.slow
+def test_every_scene_is_made_and_every_method_runs_with_the_reduced_packages(tmp_path: Path) -> None:
+    copy_packages(tmp_path)
+    assert sum(saved for _, saved in cut(tmp_path)) > 100
+    assert run(tmp_path, "-c", MADE + "; print('made')") == "made\n"
+    order = {"system": encoded_system(SYSTEMS["benign"]), "seconds": 0.01, "budget": 60, "methods": list(LIVE)}
+    said = run(tmp_path, "-m", "physics.integrators.accuracy_worker", order=json.dumps(order)).splitlines()
+    assert {line["run"]["method"] for line in map(json.loads, said) if "run" in line} == set(LIVE)

@@ -24,9 +24,7 @@ TRIED = {
     ),
     "make up REPLICAS=4 SITE=lecture.example": "tests/tooling/test_compose.py",
     "panel serve app.py": "tests/serving/test_panel_serve.py",
-    "pip install .": (
-        "tests/tooling/test_packaging.py::test_an_installed_lecture_has_its_files_and_serves_its_first_page"
-    ),
+    "pip install .": (f"{COMMANDS}::test_an_installed_lecture_has_its_files_and_serves_its_first_page"),
 }
 """Each command of README and the test that runs it. Steps of the image run without a container engine."""
 

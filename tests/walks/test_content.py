@@ -331,21 +331,6 @@ def drawn(scene: Scene, name: str = "x") -> Floats:
     return scene.shown.sources["time"][name]
 
 
-def climbs_and_stays(scene: Scene) -> bool:
-    x = drawn(scene)
-    return bool(x[0] < 0 and np.all(np.diff(x) > 0) and -0.01 * abs(x[0]) < x[-1] <= 0)
-
-
-def never_crosses(scene: Scene) -> bool:
-    x = drawn(scene)
-    return bool(np.all(x > 0) and x[-1] < 0.35 * x[0])
-
-
-def crosses_again(scene: Scene) -> bool:
-    x = drawn(scene)
-    return int(np.sum(np.signbit(x[1:]) != np.signbit(x[:-1]))) > 1
-
-
 def lag(scene: Scene) -> float:
     return next(one.value for one in scene.readouts() if one.name == "phi")
 
@@ -355,16 +340,11 @@ def dies(scene: Scene) -> bool:
     return all(x[-len(x) // 8 :].max() < 0.2 * x.max() for x in motions)
 
 
-def has_odd_powers(scene: Scene) -> bool:
-    shown = scene.shown
-    return shown.forms["braked"] == "shown" and shown.values["p3"] != "+ 0.00" != shown.values["p1"]
-
-
 CLAIMS: list[tuple[str, int | None, Callable[[Scene], Any]]] = [
     ("d34-13", None, lambda scene: scene.shown.values["Xp2"] == "+1.00"),  # as far as spring 1 gives way
-    ("d31-15", 1, climbs_and_stays),
-    ("d32-33-05", 0, never_crosses),
-    ("d32-33-05", 1, crosses_again),
+    ("d31-15", 1, lambda scene: np.all(np.diff(drawn(scene)) > 0) and 0 <= -drawn(scene)[-1] < -0.01 * drawn(scene)[0]),
+    ("d32-33-05", 0, lambda scene: np.all(drawn(scene) > 0) and drawn(scene)[-1] < 0.35 * drawn(scene)[0]),
+    ("d32-33-05", 1, lambda scene: np.count_nonzero(np.diff(np.signbit(drawn(scene)))) > 1),
     ("d32-33-04", 1, lambda scene: home(0.83) < home(scene.values["zeta"]) < home(3.0)),
     ("d32-33-06", 1, lambda scene: scene.shown.forms["holds"] == "spring"),
     ("d32-33-06", 2, lambda scene: scene.shown.forms["holds"] == "inertia"),
@@ -372,7 +352,8 @@ CLAIMS: list[tuple[str, int | None, Callable[[Scene], Any]]] = [
     ("d32-33-07", 2, lambda scene: abs(lag(scene) - math.pi / 2) < 1e-3),
     ("d32-33-07", 3, lambda scene: float(scene.shown.values["M"]) < 0.003),
     ("d34-02", 2, dies),
-    ("d34-06", 2, has_odd_powers),
+    ("d34-06", 2, lambda scene: scene.shown.forms["braked"] == "shown"),
+    ("d34-06", 2, lambda scene: scene.shown.values["p3"] != "+ 0.00" != scene.shown.values["p1"]),  # the odd powers
     ("waves-01", 2, lambda scene: {2.0, 4.0, 6.0} <= {*scene.shown.columns["silent"]["silent_j"].tolist()}),
 ]
 """A step, one of its replies or none, and what is true of the picture of the reply or the step."""
