@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from physics.coupled import TwoMassChain
 from physics.damped_chain import DampedChain
-from tests.physics.references import reference
+from tests.physics.truth import reference
 
 CASES = reference("poles")
 BRAKED = [case for case in CASES if case["c1"] or case["c2"]]

@@ -21,8 +21,7 @@ from physics.damped_chain import DampedChain
 from physics.modes import determinant_curve, mixture, row_curves, trial
 from physics.sweeps import PARAMETERS, limit, sweep
 from tests.grids import tries
-from tests.physics.references import each, reference
-from tests.physics.truth import LARGEST, U, log_uniform, ulps
+from tests.physics.truth import LARGEST, U, each, each_magnitude, log_uniform, reference, ulps
 
 ENDS = ("fixed-fixed", "fixed-free", "free-free")
 starts = st.lists(st.floats(-1, 1), min_size=24, max_size=24)
@@ -219,13 +218,6 @@ def test_lags_over_many_decades_are_those_of_the_forces(
             assert abs(lags[1] - lags[0] - mp.arg(N / link)) <= 8 * U and lags[0] <= lags[1] <= 2 * math.pi
 
 
-FAMILIES = {
-    "moderate": st.floats(0.1, 10.0),
-    "1e+-8": log_uniform(-27, 27),
-    "all doubles": log_uniform(-1074, 1024),
-}
-
-
 def newton(chain, c, F, omega, c1=0.0):
     """The steady amplitudes from Newton's laws as two linear equations."""
     m1, m2, k1, k2, c, F, w, c1 = map(mp.mpf, (chain.m1, chain.m2, chain.k1, chain.k2, c, F, omega, c1))
@@ -234,11 +226,11 @@ def newton(chain, c, F, omega, c1=0.0):
     return d * F / (a * d - link**2), link * F / (a * d - link**2)
 
 
-@pytest.mark.parametrize("numbers", FAMILIES.values(), ids=FAMILIES)
+@each_magnitude
 @settings(max_examples=tries(120))
 @given(data=st.data(), missing=st.sets(st.sampled_from(["k1", "k2", "c", "c1"])))
-def test_amplitudes_and_stroke_are_those_of_newtons_laws(numbers, data, missing):
-    given = {name: data.draw(numbers) for name in ("m1", "m2", "k1", "k2", "c", "F", "omega", "c1")}
+def test_amplitudes_and_stroke_are_those_of_newtons_laws(magnitudes, data, missing):
+    given = {name: data.draw(magnitudes) for name in ("m1", "m2", "k1", "k2", "c", "F", "omega", "c1")}
     m1, m2, k1, k2, *drive = (given | dict.fromkeys(missing, 0.0)).values()
     chain = TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2)
     with mp.workprec(20000):

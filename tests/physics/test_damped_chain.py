@@ -19,16 +19,13 @@ from physics.precision.polynomials import added, positive_roots, product
 from physics.root_paths import RootPath, exceptional_point
 from tests.grids import tries
 from tests.physics.braked_cases import CASES, Case, case_of, cases, eigenvectors, matrices
-from tests.physics.references import each
-from tests.physics.truth import U, log_uniform
+from tests.physics.truth import U, each, log_uniform
 
 NAMES = ("m1", "m2", "k1", "k2", "c1", "c2")
-BY_SPRINGS = {
+KINDS = {
     "no wall spring": {Kind.DRIFT_BOTH, Kind.REST_BOTH},
     "no coupling spring": {Kind.DRIFT_TWO, Kind.REST_TWO},
-}
-BY_SPRINGS |= {"no springs": {Kind.DRIFT_BOTH, Kind.DRIFT_TWO, Kind.REST_EACH}}
-KINDS = BY_SPRINGS | {
+    "no springs": {Kind.DRIFT_BOTH, Kind.DRIFT_TWO, Kind.REST_EACH},
     "proportional": {Kind.PROPORTIONAL},
     "exceptional point": {Kind.EXCEPTIONAL},
     "two pairs": {Kind.TWO_PAIRS},
@@ -202,9 +199,6 @@ def test_shapes_over_many_decades_obey_newtons_laws(drawn: dict[str, float]) -> 
             assert abs(mp.fsum(first)) <= room and abs(mp.fsum(second)) <= room, (s, ratio)
 
 
-DEFAULT = DampedChain(m1=2, m2=1, k1=4, k2=2)
-
-
 def number(pair: list[str]) -> complex:
     return complex(float(pair[0]), float(pair[1]))
 
@@ -252,7 +246,7 @@ def test_a_root_dragged_to_a_place_of_its_path_sets_the_value_there(
 
 
 def test_the_drawn_path_passes_through_the_roots() -> None:
-    path = RootPath.of(DEFAULT, "c2")
+    path = RootPath.of(DampedChain(m1=2, m2=1, k1=4, k2=2), "c2")
     values = path.values[::20]
     for drawn, value in zip(path.roots(values), values, strict=True):
         for s in path.at(float(value)).roots:

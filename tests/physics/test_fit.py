@@ -22,7 +22,7 @@ from physics.fit import Caution, fit_damped
 from physics.residuals import Cause, cause_of
 from physics.transient import DampedModes
 from tests.grids import tries
-from tests.physics.references import each, reference
+from tests.physics.truth import each, reference
 
 pytestmark = pytest.mark.timeout(600)  # hundreds of fits, on a machine that may be busy
 SEEDS = 60

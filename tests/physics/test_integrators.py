@@ -5,6 +5,7 @@ import math
 import tracemalloc
 from dataclasses import replace
 from itertools import pairwise
+from unittest.mock import Mock
 
 import mpmath as mp
 import numpy as np
@@ -93,8 +94,7 @@ def test_stability_is_that_of_the_books(method):
 def test_the_coupling_spring_alone_is_solved_exactly(method):
     """Steps of 700 of its swings, without a drift of phase or energy."""
     pair = TwoMassChain(m1=1.0, m2=3.0, k1=0.0, k2=2.0)
-    problem = replace(FREE, chain=pair, t=2700.0 * np.arange(20.0))
-    assert error(problem, method, 1) < 1e-11
+    assert error(replace(FREE, chain=pair, t=2700.0 * np.arange(20.0)), method, 1) < 1e-11
 
 
 @pytest.mark.parametrize("method", [*WEIGHTS, "semi", "rk4", "nystrom4"])
@@ -168,13 +168,6 @@ def test_evaluations_are_those_that_were_made(method):
     assert watch.evaluations == len(made)
 
 
-def test_lsoda_reports_its_steps_for_stiff_equations():
-    METHODS["lsoda"].run(DAMPED, 1e-6, easy := Watch())
-    stiff = replace(DAMPED, chain=replace(DAMPED.chain, k1=1e6), c=1e6 + 1.0, t=np.arange(11.0))
-    METHODS["lsoda"].run(stiff, 1e-6, hard := Watch())
-    assert easy.stiff_steps < easy.steps / 2 < hard.steps / 2 < hard.stiff_steps
-
-
 RESONANT = replace(DRIVEN, chain=TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0), omega=1.0)
 
 
@@ -185,7 +178,7 @@ def test_modes_by_eigh_at_resonance():
     assert error(near, "naive", 0) > 1e-9
 
 
-def test_a_solver_that_gives_up_says_why(monkeypatch):
+def test_a_solver_that_gives_up_says_why_and_a_run_without_memory_is_a_row(monkeypatch):
     class Failing(integrate.RK45):
         def _step_impl(self):
             return super()._step_impl() if self.t < 2.5 else (False, self.TOO_SMALL_STEP)
@@ -194,9 +187,15 @@ def test_a_solver_that_gives_up_says_why(monkeypatch):
     with pytest.raises(StoppedError, match="step below spacing") as stop:
         METHODS["rk45"].run(FREE, 1e-6, Watch())
     assert 2.5 <= stop.value.reached < 4
+    monkeypatch.setattr(integrate, "RK45", Mock(side_effect=MemoryError))
+    assert visited(SYSTEMS["benign"], "rk45", 1e-3).failure == "no memory left"
 
 
 def test_steps_are_counted_and_checked():
+    METHODS["lsoda"].run(DAMPED, 1e-6, easy := Watch())
+    stiff = replace(DAMPED, chain=replace(DAMPED.chain, k1=1e6), c=1e6 + 1.0, t=np.arange(11.0))
+    METHODS["lsoda"].run(stiff, 1e-6, hard := Watch())
+    assert easy.stiff_steps < easy.steps / 2 < hard.steps / 2 < hard.stiff_steps
     run_fixed("yoshida4", FREE, 2, watch := Watch())
     assert (watch.steps, watch.evaluations) == (120, 360)
     for steps in (0, 1.5, -3):
@@ -308,18 +307,10 @@ TIMED = ("verlet", "rk45", "lsoda", "fortran", "adams", "expm")
 )
 def test_a_failure_is_a_row(system, method, setting, seconds, failure):
     setting = METHODS[method].settings()[-1] if setting is None else setting
-    run = visited(
-        system, method, setting, Limits(seconds=seconds, rounds=1, visit=0.0), lambda _: failure == "cancelled"
-    )
+    limits = replace(ONCE, seconds=seconds)
+    run = visited(system, method, setting, limits, lambda _: failure == "cancelled")
     assert run.failure.startswith(failure) and run.error is None and run.time is None
     assert 0 <= run.reached < 0.5
-
-
-def test_a_run_without_memory_is_a_row():
-    def greedy(*_):
-        raise MemoryError
-
-    assert ladder("slides").bench.visit(replace(METHODS["slides"], run=greedy), 0).failure == "no memory left"
 
 
 def test_only_methods_made_for_friction_enter_with_a_dashpot_and_a_measurement_can_be_cancelled():
@@ -413,10 +404,7 @@ def test_a_method_explodes_below_its_least_steps_and_ends_there(slug):
 
 
 def test_the_step_of_accuracy_is_read_between_two_runs():
-    runs = [
-        Run(system="near", method="gauss4", setting=setting, error=error)
-        for setting, error in ((10.0, 1e-4), (100.0, 1e-8))
-    ]
+    runs = [Run(system="near", method="gauss4", setting=s, error=e) for s, e in ((10.0, 1e-4), (100.0, 1e-8))]
     problem = SYSTEMS["near"].problem()
     found = stiffness(SYSTEMS["near"], runs, 1e-6)
     assert found.accurate == pytest.approx(problem.rates[1] * problem.spacing / 10**1.5)

@@ -23,19 +23,11 @@ from physics.oscillator import Oscillator
 from physics.reference.damped import free_part
 from physics.sampling import drawable
 from tests.grids import sample, tries
-from tests.physics.references import each, reference
-from tests.physics.truth import U, log_uniform, ulps
+from tests.physics.truth import U, each, each_magnitude, log_uniform, reference, ulps
 
 TINY = 2.0**-1074
 LARGEST = sys.float_info.max
 PRECISION = 2600  # bits: omega t may reach 2^2600
-MAGNITUDES = {
-    "moderate": st.floats(0.1, 10.0),
-    "1e+-8": log_uniform(-27, 27),
-    "1e+-150": log_uniform(-498, 498),
-    "all doubles": log_uniform(-1074, 1024),
-}
-each_family = pytest.mark.parametrize("magnitudes", MAGNITUDES.values(), ids=MAGNITUDES)
 SIGNS = st.sampled_from([-1.0, 0.0, 1.0])
 
 
@@ -53,7 +45,7 @@ def true_motion(system, x_0, v_0, t):
     return {name: free_part(mp, m, c, k, *pair, mp.mpf(t)) for name, pair in rates.items()}
 
 
-@each_family
+@each_magnitude
 @settings(max_examples=tries(150))
 @given(data=st.data())
 def test_motion_stays_within_4_u_of_its_amplitudes(magnitudes, data):
@@ -72,7 +64,7 @@ def test_motion_stays_within_4_u_of_its_amplitudes(magnitudes, data):
             assert abs(mp.mpf(getattr(motion, name)[0]) - value) <= 4 * U * size + least, name
 
 
-@each_family
+@each_magnitude
 @settings(max_examples=tries(150))
 @given(data=st.data())
 def test_frequencies_and_constants_are_rounded_once_and_the_phase_within_2_ulp(magnitudes, data):

@@ -19,8 +19,7 @@ from physics.pushed import PushedMass
 from physics.pushed_vibration import PushedVibration, PushHarmonics
 from physics.steady_motions import RestAfterPush, SteadyMotion
 from tests.grids import tries
-from tests.physics.references import each, reference
-from tests.physics.truth import U, log_uniform
+from tests.physics.truth import U, each, log_uniform, reference
 
 each_case = each(reference("periodic"))
 PERIODIC = ("square", "triangle", "pulses", "impulses")
