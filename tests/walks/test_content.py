@@ -27,7 +27,7 @@ from components.walks.loading import load_walks, steps_of
 from components.walks.questions.choice import ChoiceStep
 from components.walks.questions.number import NumericStep
 from components.walks.questions.sketch import SketchStep
-from components.walks.subject import Subject, place_of
+from components.walks.subject import Subject
 from components.walks.texts import FORMULA
 from components.walks.walk import Step
 from physics.chain import UniformChain
@@ -303,12 +303,8 @@ def judged(step: SketchStep, draw: Callable[[Any], Any]) -> tuple[bool | None, s
     axes = subject.axes(step.plot)
     x = np.linspace(*axes.frame.x, 201)
     drawn = draw(x)
-    curves = drawn if isinstance(drawn, dict) else {step.curve: drawn}
-    places = {
-        name: [(place_of(axes.x, float(a)), place_of(axes.y, float(b))) for a, b in zip(x, y, strict=True)]
-        for name, y in curves.items()
-    }
-    lesson = step.lesson(Given(walk="", step=step.id, curves=heights(step, places)), subject)
+    curves = {name: (x, y) for name, y in (drawn if isinstance(drawn, dict) else {step.curve: drawn}).items()}
+    lesson = step.lesson(Given(walk="", step=step.id, curves=heights(step, curves)), subject)
     missed = {one.kind for one, found in zip(step.must, lesson.findings, strict=True) if not found.has}
     return lesson.right, lesson.reply, missed
 
