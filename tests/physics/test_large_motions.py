@@ -10,17 +10,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from physics.analogues import ANALOGUES, G
+from physics.lanchester import CUSP_EXCESS, LINEAR_PERIOD, excess_at_period_excess, invariant, period_excess
 from physics.pendulum import Pendulum, amplitude_at_excess, excess
-from physics.phugoid import (
-    CUSP_EXCESS,
-    EXCESS_AT_LATENESS,
-    LINEAR_PERIOD,
-    excess_at_period_excess,
-    flight,
-    invariant,
-    linear_flight,
-    period_excess,
-)
+from physics.phugoid import EXCESS_AT_LATENESS, flight, linear_flight
 from physics.reference.single import flight_points, period_ratio, swing
 from tests.grids import sample, tries
 from tests.physics.truth import U, log_uniform

@@ -13,37 +13,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath.ctx_mp import MPContext
 
+from physics import sampling
 from physics.damped import DampedOscillator
 from physics.free_decay import FreeDecay
 from physics.motion import Elementary, Harmonic, constant, harmonic_motion, superposed
+from physics.precision import exact as digits
 from physics.precision.elementary import LARGEST_EXPONENT, SMALLEST_EXPONENT, exponential, sine_cosine
-from physics.precision.exact import (
-    binary,
-    exact,
-    on_circle,
-    pair_product,
-    pair_quotient,
-    pair_sum,
-    precise,
-    rounded,
-    sin_cos,
-    snapped,
-    split,
-    sum_of,
-    two_product,
-    two_sum,
-    within_an_ulp,
-)
 from physics.precision.roots import mismatch, roots
-from physics.sampling import (
-    SAMPLES_PER_CYCLE,
-    Sinusoid,
-    curve_or_band,
-    drawable,
-    periods,
-    root_mean_square,
-    time_window,
-)
+from physics.sampling import Sinusoid
 from physics.sinusoids import SLOW, Beat, ExactSinusoid, added, total
 from tests.grids import tries
 from tests.physics.truth import U
@@ -55,45 +32,45 @@ anything = st.floats(-1e100, 1e100).filter(lambda x: x == 0.0 or abs(x) > 1e-100
 @thorough
 @given(anything, anything)
 def test_sums_and_products_lose_nothing(a, b):
-    s, e = two_sum(a, b)
+    s, e = digits.two_sum(a, b)
     assert s == a + b and Fraction(s) + Fraction(e) == Fraction(a) + Fraction(b)
-    p, e = two_product(a, b)
+    p, e = digits.two_product(a, b)
     assert p == a * b and Fraction(p) + Fraction(e) == Fraction(a) * Fraction(b)
 
 
 @thorough
 @given(*[st.floats(0.5, 2.0)] * 2, *[st.floats(-1.0, 1.0)] * 2)
 def test_pairs_carry_100_bits(a, b, a_lo, b_lo):
-    x, y = two_sum(a, a_lo * U / 2), two_sum(b, b_lo * U / 2)
+    x, y = digits.two_sum(a, a_lo * U / 2), digits.two_sum(b, b_lo * U / 2)
     exactly = [Fraction(hi) + Fraction(lo) for hi, lo in (x, y)]
-    for (hi, lo), true in ((pair_sum(x, y), sum(exactly)), (pair_product(x, y), math.prod(exactly))):
+    for (hi, lo), true in ((digits.pair_sum(x, y), sum(exactly)), (digits.pair_product(x, y), math.prod(exactly))):
         assert abs(Fraction(hi) + Fraction(lo) - true) <= Fraction(2) ** -100 * 4
     quotient = exactly[0] / exactly[1]
-    assert abs(Fraction(pair_quotient(x, y)) - quotient) <= Fraction(math.ulp(float(quotient))) * 51 / 100
-    assert pair_sum((a, 1e-20), (-a, 3e-20)) == (1e-20 + 3e-20, 0.0), "what cancellation leaves"
+    assert abs(Fraction(digits.pair_quotient(x, y)) - quotient) <= Fraction(math.ulp(float(quotient))) * 51 / 100
+    assert digits.pair_sum((a, 1e-20), (-a, 3e-20)) == (1e-20 + 3e-20, 0.0), "what cancellation leaves"
 
 
-@pytest.mark.parametrize("digits", ["1.5e400", "-2.25e-500", "3", "0.1", "-7e307", "4.9e-324"])
-def test_binary_has_no_bounds(digits):
-    hi, lo, exponent = binary(Decimal(digits))
-    with precise():
+@pytest.mark.parametrize("text", ["1.5e400", "-2.25e-500", "3", "0.1", "-7e307", "4.9e-324"])
+def test_binary_has_no_bounds(text):
+    hi, lo, exponent = digits.binary(Decimal(text))
+    with digits.precise():
         back = (Decimal(hi) + Decimal(lo)) * Decimal(2) ** exponent
-        assert 0.5 <= abs(hi) <= 1.0 and abs(back / Decimal(digits) - 1) < Decimal("1e-31")
-    assert binary(Decimal(0)) == (0.0, 0.0, 0)
+        assert 0.5 <= abs(hi) <= 1.0 and abs(back / Decimal(text) - 1) < Decimal("1e-31")
+    assert digits.binary(Decimal(0)) == (0.0, 0.0, 0)
 
 
 def test_digits_that_no_double_has_are_split_rounded_compared_and_told_from_noise():
-    hi, lo = split(Decimal("0.1"))
+    hi, lo = digits.split(Decimal("0.1"))
     assert hi == 0.1 and lo == float(Fraction(1, 10) - Fraction(0.1))
-    assert split(Decimal("1e400")) == (math.inf, 0.0) and rounded("x", Decimal("0.1")) == 0.1
+    assert digits.split(Decimal("1e400")) == (math.inf, 0.0) and digits.rounded("x", Decimal("0.1")) == 0.1
     root, at = Decimal(2).sqrt(), math.sqrt(2)
-    near = [within_an_ulp(one, root) for one in (at, math.nextafter(at, 0.0), math.nextafter(at, 2.0), -at)]
+    near = [digits.within_an_ulp(one, root) for one in (at, math.nextafter(at, 0.0), math.nextafter(at, 2.0), -at)]
     assert near == [True, True, False, False]
-    assert within_an_ulp(0.0, Decimal("4e-324")) and not within_an_ulp(0.0, Decimal("5e-324"))
-    with precise():
+    assert digits.within_an_ulp(0.0, Decimal("4e-324")) and not digits.within_an_ulp(0.0, Decimal("5e-324"))
+    with digits.precise():
         third = Decimal(1) / 3
-        assert sum_of(third * 3, Decimal(-1)) == 0 and sum_of(third, Decimal(-1)) != 0
-        assert snapped(third * 3) == 1 and snapped(third) == third
+        assert digits.sum_of(third * 3, Decimal(-1)) == 0 and digits.sum_of(third, Decimal(-1)) != 0
+        assert digits.snapped(third * 3) == 1 and digits.snapped(third) == third
 
 
 @pytest.mark.parametrize("size", [1e-300, 1e-8, 0.3, 10.0, 1e5, 1e10, 1e15])
@@ -102,7 +79,7 @@ def test_sine_and_cosine_to_100_bits(size):
     near = np.arange(1.0, 1e6, 9331.0) * np.pi
     theta = np.append(size * random.uniform(-1.0, 1.0, 200), near)
     rest = np.append(np.spacing(np.abs(theta[:200])) * random.uniform(-0.5, 0.5, 200), np.zeros_like(near))
-    sines, cosines = on_circle(theta, rest)
+    sines, cosines = digits.on_circle(theta, rest)
     for n in range(theta.size):
         phase = mp.mpf(theta[n]) + mp.mpf(rest[n])
         for (hi, lo), true in ((sines, mp.sin(phase)), (cosines, mp.cos(phase))):
@@ -115,7 +92,7 @@ def test_phases_of_any_frequency(exponent, turns, low, phase):
     omega = 10.0**exponent
     t = 10.0 ** min(turns - exponent, 307.0)
     lo = omega * U * low
-    sine, cosine = sin_cos(omega, lo, np.array([t, -t, 0.0]), phase)
+    sine, cosine = digits.sin_cos(omega, lo, np.array([t, -t, 0.0]), phase)
     with mp.workprec(2400):
         for n, s in enumerate((t, -t, 0.0)):
             true = (mp.mpf(omega) + mp.mpf(lo)) * mp.mpf(s) + mp.mpf(phase)
@@ -125,7 +102,7 @@ def test_phases_of_any_frequency(exponent, turns, low, phase):
 
 def pair(hi, part):
     """hi and a low part below half an ulp of it, as arrays."""
-    return two_sum(np.array([hi]), np.array([part * hi * 2.0**-54]))
+    return digits.two_sum(np.array([hi]), np.array([part * hi * 2.0**-54]))
 
 
 def value(two):
@@ -174,8 +151,8 @@ small = st.floats(-1.0, 1.0)
 
 def swing(omega, a, b):
     """a cos(omega t) + b sin(omega t) and 2 b sin(omega t), as a sinusoid and as a function of mpmath."""
-    w, sine = exact(omega), exact(b) * exact(omega)
-    return ExactSinusoid(w, (exact(a), ZERO), (sine, 2 * sine)), lambda t: (
+    w, sine = digits.exact(omega), digits.exact(b) * digits.exact(omega)
+    return ExactSinusoid(w, (digits.exact(a), ZERO), (sine, 2 * sine)), lambda t: (
         mp.mpf(a) * mp.cos(mp.mpf(omega) * t) + mp.mpf(b) * mp.sin(mp.mpf(omega) * t),
         2 * mp.mpf(b) * mp.sin(mp.mpf(omega) * t),
     )
@@ -214,8 +191,8 @@ def test_a_beat_that_has_not_begun(s, turned, a, b, c):
     """d t is at most 1/16; with d = 0 the growth is t."""
     t = np.array([1e-3, 1.0, 50.0])
     d = turned * SLOW / 50.0
-    coefficients = [(exact(value), ZERO) for value in (a, b, c)]
-    found = total(t, QUANTITIES, beats=[Beat(exact(s), exact(d), *coefficients)])[0]
+    coefficients = [(digits.exact(value), ZERO) for value in (a, b, c)]
+    found = total(t, QUANTITIES, beats=[Beat(digits.exact(s), digits.exact(d), *coefficients)])[0]
     for value, time in zip(found, map(mp.mpf, t), strict=True):
         slow = mp.sin(d * time) / mp.mpf(d) if d else time
         true = a * mp.cos(d * time) * mp.sin(s * time) + (b * mp.cos(s * time) + c * mp.sin(s * time)) * slow
@@ -303,16 +280,16 @@ WINDOWS = [(1.0, 2.0, 4), (1.0, 1.5, 4), (1.0, 1.25, 8), (1.0, 1.02, 100), (1.0,
 
 @pytest.mark.parametrize(("slow", "fast", "in_slow_periods"), WINDOWS)
 def test_the_window_is_4_slow_or_2_beat_periods(slow, fast, in_slow_periods):
-    assert time_window(slow, fast) == pytest.approx(in_slow_periods * 2 * math.pi / slow, rel=1e-12)
-    assert time_window(0.0, fast) == periods(fast, 4.0) == pytest.approx(8 * math.pi / fast)
-    assert time_window(0.0, 0.0) == 10.0
+    assert sampling.time_window(slow, fast) == pytest.approx(in_slow_periods * 2 * math.pi / slow, rel=1e-12)
+    assert sampling.time_window(0.0, fast) == sampling.periods(fast, 4.0) == pytest.approx(8 * math.pi / fast)
+    assert sampling.time_window(0.0, 0.0) == 10.0
 
 
 def test_drawable_means_twelve_samples_a_cycle():
     step = T[1] - T[0]
-    assert drawable(2 * math.pi / (SAMPLES_PER_CYCLE * step) * 0.999, T)
-    assert not drawable(2 * math.pi / (SAMPLES_PER_CYCLE * step) * 1.001, T)
-    assert drawable(0.0, T) and not drawable(1e300, T) and drawable(1e300, T[:1])
+    assert sampling.drawable(2 * math.pi / (sampling.SAMPLES_PER_CYCLE * step) * 0.999, T)
+    assert not sampling.drawable(2 * math.pi / (sampling.SAMPLES_PER_CYCLE * step) * 1.001, T)
+    assert sampling.drawable(0.0, T) and not sampling.drawable(1e300, T) and sampling.drawable(1e300, T[:1])
 
 
 @pytest.mark.parametrize(
@@ -326,7 +303,8 @@ def test_drawable_means_twelve_samples_a_cycle():
 )
 def test_slow_components_are_a_curve_and_fast_ones_a_band_about_it(components, slow, width):
     base = 0.1 * T
-    for found, line in ((curve_or_band(components, T), slow), (curve_or_band(components, T, base), slow + base)):
+    for offset, line in ((None, slow), (base, slow + base)):
+        found = sampling.curve_or_band(components, T, offset)
         assert found.lo == pytest.approx(line - width, abs=1e-14) and found.hi == pytest.approx(line + width, abs=1e-14)
         assert (found.curve is None) == bool(width)
         assert width or (np.array_equal(found.lo, found.curve) and np.array_equal(found.hi, found.curve))
@@ -336,10 +314,11 @@ def test_slow_components_are_a_curve_and_fast_ones_a_band_about_it(components, s
 def test_mean_squares_average_the_fast_part_only():
     carrier = 2 * math.pi * 4 * 60  # four cycles from one sample to the next
     slow, fast = Sinusoid(2.0, 1.0, 0.0), [Sinusoid(1.0, carrier, 0.0), Sinusoid(0.6, carrier + 2.0, 1.0)]
-    found = root_mean_square([slow, *fast], T) ** 2
+    found = sampling.root_mean_square([slow, *fast], T) ** 2
     fine = np.linspace(0.0, 10.0, 600 * 400 + 1)
     x = 2 * np.sin(fine) + sum(a * np.sin(w * fine + phase) for a, w, phase in fast)
     assert np.mean((x**2)[200:-201].reshape(599, 400), axis=1) == pytest.approx(found[1:-1], abs=0.02)
-    assert root_mean_square([slow], T, 0.5 * T) == pytest.approx(np.abs(2 * np.sin(T) + 0.5 * T), abs=1e-14)
-    assert root_mean_square([Sinusoid(1e200, 1e9, 0.0)], T) == pytest.approx(np.full_like(T, 1e200 / math.sqrt(2.0)))
-    assert not np.any(root_mean_square([], T))
+    assert sampling.root_mean_square([slow], T, 0.5 * T) == pytest.approx(np.abs(2 * np.sin(T) + 0.5 * T), abs=1e-14)
+    huge = sampling.root_mean_square([Sinusoid(1e200, 1e9, 0.0)], T)
+    assert huge == pytest.approx(np.full_like(T, 1e200 / math.sqrt(2.0)))
+    assert not np.any(sampling.root_mean_square([], T))

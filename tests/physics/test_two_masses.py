@@ -18,33 +18,21 @@ from physics.precision.polynomials import context
 from physics.reference.damped_chain import braked_points
 from physics.transient import DIGITS, DRAWING, FILE, DampedModes
 from tests.grids import sample, tries
-from tests.physics.truth import (
-    FAMILIES,
-    SETUP_BITS,
-    Truth,
-    U,
-    by_exponential,
-    chain_with,
-    drawn,
-    each_family,
-    rows,
-    ulps,
-    worst,
-)
+from tests.physics import truth
 
 LARGEST = mp.mpf(sys.float_info.max)
 thorough = settings(max_examples=tries(30))
 
 
-@each_family
+@truth.each_family
 @thorough
 @given(data=st.data())
 def test_modes_are_rounded_once(family, data):
-    parameters = data.draw(drawn(family))
-    modes, true = chain_with(parameters).modes(), Truth(*parameters)
+    parameters = data.draw(truth.drawn(family))
+    modes, true = truth.chain_with(parameters).modes(), truth.Truth(*parameters)
     found = [*modes.omega, *modes.ratio, modes.beat]
     for value, exactly in zip(found, [*true.omega, *true.ratio, true.beat], strict=True):
-        assert ulps(value, exactly) <= 0.51 or (abs(exactly) > LARGEST and math.isinf(value))
+        assert truth.ulps(value, exactly) <= 0.51 or (abs(exactly) > LARGEST and math.isinf(value))
     for hi, lo, exactly in zip(modes.omega, modes.omega_lo, true.omega, strict=True):
         if mp.mpf("1e-290") < exactly < LARGEST:
             assert abs(mp.mpf(hi) + mp.mpf(lo) - exactly) <= exactly * mp.mpf(2) ** -105
@@ -58,7 +46,7 @@ LECTURE = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
 @st.composite
 def drives(draw, parameters):
     """A drive frequency at a detuning of 0 or 1e-17 to 100 from either mode, or from the antiresonance."""
-    true = Truth(*parameters)
+    true = truth.Truth(*parameters)
     root = draw(st.sampled_from([*true.omega, true.antiresonance]))
     detuning = draw(st.one_of(st.just(0.0), st.floats(-17.0, 2.0).map(lambda e: 10.0**e)))
     sign = draw(st.sampled_from([-1, 1])) if detuning < 1 else 1
@@ -67,17 +55,17 @@ def drives(draw, parameters):
     return float(omega)
 
 
-@each_family
+@truth.each_family
 @thorough
 @given(data=st.data())
 def test_detunings_are_rounded_once(family, data):
     """Differences of two rounded frequencies would have no digit next to a resonance."""
-    parameters = data.draw(drawn(family))
-    omega, true = data.draw(drives(parameters)), Truth(*parameters)
+    parameters = data.draw(truth.drawn(family))
+    omega, true = data.draw(drives(parameters)), truth.Truth(*parameters)
     assume(true.omega[1] < LARGEST)
-    found = driven_modes(chain_with(parameters), 1.0, omega).detuning
-    with mp.workprec(SETUP_BITS):
-        assert all(ulps(d, omega - w) <= 0.51 for d, w in zip(found, true.omega, strict=True))
+    found = driven_modes(truth.chain_with(parameters), 1.0, omega).detuning
+    with mp.workprec(truth.SETUP_BITS):
+        assert all(truth.ulps(d, omega - w) <= 0.51 for d, w in zip(found, true.omega, strict=True))
 
 
 @st.composite
@@ -93,26 +81,26 @@ def pushed(draw, true, omega):
     return F_0, x_0, [float(v * (fast if is_driven else slow)) for v in v_0]
 
 
-@each_family
+@truth.each_family
 @thorough
 @given(data=st.data())
 def test_a_free_motion_is_within_4_u_and_a_driven_one_within_16_u_at_every_detuning(family, data):
-    parameters = data.draw(drawn(family))
-    omega, true = data.draw(drives(parameters)), Truth(*parameters)
+    parameters = data.draw(truth.drawn(family))
+    omega, true = data.draw(drives(parameters)), truth.Truth(*parameters)
     F_0, x_0, v_0 = data.draw(pushed(true, omega))
     turns = [data.draw(st.floats(low, high)) for low, high in ((-6.0, 1.0), (0.0, 7.0), (0.0, 14.9))]
     quickest = max(true.omega[1], mp.mpf(omega) if F_0 else 0) or mp.mpf(1)
     t = [0.0, *(float(s) for s in (mp.mpf(10) ** e / quickest for e in turns) if s < LARGEST)]
     parts = [(true.free(x_0, v_0, s), true.driven(F_0, omega, s)) for s in t]
     expected = [[[a + b for a, b in zip(*pair, strict=True)] for pair in zip(*both, strict=True)] for both in parts]
-    chain = chain_with(parameters)
+    chain = truth.chain_with(parameters)
     if max(abs(value) for values, _ in expected for value in values) > LARGEST:
         with pytest.raises(ValueError, match="leaves the range of doubles"):
             forced_motion(chain, F_0, omega, t, x_0, v_0)
         return
     motion = forced_motion(chain, F_0, omega, t, x_0, v_0)
     for n, (values, scales) in enumerate(expected):
-        assert worst(motion, n, values, scales) <= (16 if F_0 else 4)
+        assert truth.worst(motion, n, values, scales) <= (16 if F_0 else 4)
 
 
 @pytest.mark.parametrize("omega", [1.0, 2.0])
@@ -144,8 +132,8 @@ def check(modes, times):
     """Every number within 0.51 ulp, the smallest too."""
     motion = modes.motion(times)
     for n, t in enumerate(times):
-        for row, aim in zip(rows(motion), by_exponential(modes, t, modes.c1, modes.c), strict=True):
-            assert ulps(row[n], aim) <= 0.51
+        for row, aim in zip(truth.rows(motion), truth.by_exponential(modes, t, modes.c1, modes.c), strict=True):
+            assert truth.ulps(row[n], aim) <= 0.51
 
 
 def modes_of(chain, c, F_0=1.0, omega=1.0, x_0=(0.0, 0.0), v_0=(0.0, 0.0), c1=0.0):
@@ -156,7 +144,7 @@ def modes_of(chain, c, F_0=1.0, omega=1.0, x_0=(0.0, 0.0), v_0=(0.0, 0.0), c1=0.
 @settings(max_examples=tries(8))
 @given(data=st.data())
 def test_motion_is_rounded_once(family, data):
-    chain = chain_with(data.draw(drawn(FAMILIES[family])))
+    chain = truth.chain_with(data.draw(truth.drawn(truth.FAMILIES[family])))
     fast = float(chain.modes().omega[1]) or 1.0
     share = st.just(0.0) | st.floats(-6.0, 2.0).map(lambda e: 10.0**e)
     c, c1 = (math.sqrt(chain.m1 * chain.m2) * fast * data.draw(share) for _ in range(2))
@@ -226,7 +214,7 @@ def test_motions_are_played_as_they_are_and_too_fast_for_a_grid_they_count_by_th
 
 @pytest.mark.parametrize(("factor", "value", "energy"), [(1e300, 2e-200, 2e-100), (5e-324, 2.0**537, 0.5), (2, 3, 9)])
 def test_half_squares_at_the_edges(factor, value, energy):
-    assert half_square("V", factor, np.array([value, -value])) == pytest.approx([energy, energy], rel=4 * U, abs=0.0)
+    assert half_square("V", factor, np.array([value, -value])) == pytest.approx([energy] * 2, rel=4 * truth.U, abs=0.0)
 
 
 @pytest.mark.parametrize(
@@ -248,7 +236,7 @@ def test_the_motion_is_its_particular_solution_and_its_transient(chain, c, room)
     assert np.max(np.abs(drawn_x - x)) < room * size
     assert np.max(np.abs(drawn_v[:2] - motion.v)) < room * np.max(np.abs(motion.v))
     for row, points in zip(motion.x, braked_points(modes, t[::33]).values(), strict=True):
-        assert row[::33] == pytest.approx([float(one.value) for one in points], abs=8 * U * size)
+        assert row[::33] == pytest.approx([float(one.value) for one in points], abs=8 * truth.U * size)
     assert np.array_equal(modes.particular[:2], damped_solution(chain, c, 500.0, modes.omega, modes.c1))
     for exponent, (amplitude, *_) in modes.transient:
         assert exponent.imag >= 0.0 and (exponent.real < 0.0 or not (c and chain.k1))

@@ -30,20 +30,13 @@ from physics.free_oscillation import FreeOscillation
 from physics.hanging import HangingMass
 from physics.integrators.accuracy import SYSTEMS as MEASURED
 from physics.integrators.race import measure
+from physics.lanchester import excess_at_period_excess, invariant, lanchester, period_excess
 from physics.magnification import highest, magnification
 from physics.modes import trial, trial_forces
 from physics.oscillator import Oscillator
 from physics.pendulum import Pendulum, amplitude_at_excess, excess
 from physics.periodic import PeriodicPush
-from physics.phugoid import (
-    excess_at_period_excess,
-    flight,
-    invariant,
-    lanchester,
-    linear_flight,
-    linear_phugoid,
-    period_excess,
-)
+from physics.phugoid import flight, linear_flight, linear_phugoid
 from physics.precision.exact import rounded
 from physics.reference.uniform_chain import chain_points
 from physics.sampling import periods
