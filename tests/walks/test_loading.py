@@ -390,10 +390,10 @@ def period(
         ([period("absorber", '["value:now_X1"]', "m2/m1", "", "How heavy is mass 2 against mass 1?")], r"0\.160"),
         # Numbers that the question states, or that the scene is set to, give nothing away.
         ([period("energy&view=motion&x_0=0.1", DELTA, "x_0", "m", "Where does it start?")], ""),
-        ([period("oscillator", question="ωₙ is 6.28 rad/s. How long is one swing?")], ""),
-        # An earlier step of the same chain.
+        ([period("oscillator&m=2.5", question="ωₙ is 3.97 rad/s. How long is one swing?")], ""),
+        # An earlier step of the same chain gives it away, and one of another chain with the same period does not.
         ([period("oscillator&m=2", EARLY, id="zero"), period("oscillator&m=2", BOTH)], "the answer of zero"),
-        ([period("oscillator&m=3", BOTH, id="zero"), period("oscillator&m=2", BOTH)], ""),
+        ([period("oscillator&m=4&k=100", BOTH, id="zero"), period("oscillator&m=2&k=50", BOTH)], ""),
     ],
 )
 def test_a_number_that_gives_the_answer_away_is_named(steps: list[str], says: str) -> None:
