@@ -13,10 +13,10 @@ from tests.serving.server import Server
 
 LED = "globalThis.oscillations?.classes?.led"
 FILLED = ".card .foot .filled"
-FRAME = """(() => { const {plot} = (oscillations.walks?.walk ?? oscillations.asked).card.question.pad
-  const b = plot.host.getBoundingClientRect(), f = plot.frame
+FRAME = """(() => { const {pad, marker} = (oscillations.walks?.walk ?? oscillations.asked).card.question
+  const {host, frame: f} = (pad ?? marker).plot, b = host.getBoundingClientRect()
   return [b.left + f.left, b.top + f.top, f.width, f.height] })()"""
-"""The frame in which a sketch is drawn, on a phone or on a visitor's own page."""
+"""The frame in which a sketch is drawn or a point is marked, on a phone or on a visitor's own page."""
 
 Open = Callable[[str, int, int], Page]
 

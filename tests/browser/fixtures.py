@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
@@ -23,7 +24,6 @@ CONNECTED = f"{READY} && document.documentElement.dataset.connected === 'true'"
 expect.set_options(timeout=9_000)
 
 
-EMPTY = '<!DOCTYPE html><link rel="icon" href="data:,">'
 CALMER = """{
   const real = requestAnimationFrame
   const waiting = new Map()
@@ -42,60 +42,33 @@ CALMER = """{
   globalThis.cancelAnimationFrame = id => waiting.delete(id)
 }"""
 """Draw only every third frame: without a graphics card a playing picture takes more than one core."""
-FORGET = "() => { localStorage.clear(); sessionStorage.clear() }"
 
 
-def calm_context(browser: Browser, size: dict[str, int], **options: Any) -> BrowserContext:
-    """A visitor whose pages draw less often."""
-    # Playwright waits for an expression with eval, which the page forbids: tests/serving/test_assets.py.
-    context = browser.new_context(viewport=size, **{"bypass_csp": True, **options})
-    context.add_init_script(CALMER)
-    return context
+@contextmanager
+def visitors(browser: Browser, home: str = "") -> Iterator[Callable[..., Page]]:
+    """Makes pages, each in its own context: `new_page(width=390, height=844, color_scheme="dark")` and whatever else a
+    context takes.
 
+    None may throw an exception; with a `home`, none may log an error to the console or ask another host for anything.
+    """
+    contexts, faults = list[BrowserContext](), list[str]()
 
-class Tab:
-    """A page in its own context: one visitor."""
+    def make(width: int = 1280, height: int = 720, **options: Any) -> Page:
+        # Playwright waits for an expression with eval, which the page forbids: tests/serving/test_assets.py.
+        options = {"viewport": {"width": width, "height": height}, "bypass_csp": True, **options}
+        contexts.append(browser.new_context(**options))
+        contexts[-1].add_init_script(CALMER)
+        page = contexts[-1].new_page()
+        page.on("pageerror", lambda error: faults.append(f"page error: {error}"))
+        if home:
+            page.on("console", lambda message: faults.extend(_console_fault(message)))
+            page.on("request", lambda request: faults.extend(_foreign(request, home)))
+        return page
 
-    def __init__(self, browser: Browser, size: dict[str, int], options: dict[str, Any]) -> None:
-        self.context = calm_context(browser, size, **options)
-        self.page = self.context.new_page()
-        self.faults: list[str] = []
-        self.page.on("console", lambda message: self.faults.extend(_console_fault(message)))
-        self.page.on("pageerror", lambda error: self.faults.append(f"page error: {error}"))
-
-    def close(self) -> None:
-        self.context.close()
-
-
-class Tabs:
-    """Free tabs, by the options of their contexts."""
-
-    def __init__(self, browser: Browser) -> None:
-        self.browser = browser
-        self.free: dict[str, list[Tab]] = {}
-
-    def take(self, size: dict[str, int], options: dict[str, Any]) -> Tab:
-        free = self.free.setdefault(str(sorted(options.items())), [])
-        if not free:
-            return Tab(self.browser, size, options)
-        tab = free.pop()
-        tab.page.set_viewport_size(size)
-        return tab
-
-    def give_back(self, tab: Tab, options: dict[str, Any], home: str) -> None:
-        """Remove everything of the last test except the browser's cache."""
-        if tab.page.is_closed() or len(tab.context.pages) > 1:
-            return tab.close()
-        tab.page.unroute_all()
-        asked = {name: options.get(name, "null") for name in ("reduced_motion", "color_scheme")}
-        tab.page.emulate_media(media="null", **asked)
-        tab.context.set_offline(False)
-        tab.page.route(home, lambda route: route.fulfill(body=EMPTY, content_type="text/html"))
-        tab.page.goto(home)
-        tab.page.evaluate(FORGET)
-        tab.page.unroute(home)
-        tab.faults.clear()
-        self.free[str(sorted(options.items()))].append(tab)
+    yield make
+    for context in contexts:
+        context.close()
+    assert not faults, "\n".join(faults)
 
 
 def _console_fault(message: ConsoleMessage) -> list[str]:
@@ -142,57 +115,18 @@ def browser() -> Iterator[Browser]:
         chromium.close()
 
 
-@pytest.fixture(scope="session")
-def tabs(browser: Browser) -> Tabs:
-    return Tabs(browser)
-
-
 @pytest.fixture
-def new_page(browser: Browser, tabs: Tabs, server: Server) -> Iterator[Callable[..., Page]]:
-    """Makes pages: `new_page(width=390, height=844, color_scheme="dark")` and whatever else a context takes.
-
-    Each is a visitor's first, in a tab that tests of before have used; `fresh=True` where the test changes the tab
-    itself. The test fails if one of them logged an error to the console or asked another host for anything.
-    """
-    taken: list[tuple[Tab, dict[str, Any] | None]] = []
-    faults: list[str] = []
-
-    def look(request: Request) -> None:
-        faults.extend(_foreign(request, server))
-
-    def make(width: int = 1280, height: int = 720, fresh: bool = False, **given: Any) -> Page:
-        size = {"width": width, "height": height}
-        tab = Tab(browser, size, given) if fresh else tabs.take(size, given)
-        taken.append((tab, None if fresh else given))
-        tab.page.on("request", look)
-        return tab.page
-
-    yield make
-    for tab, options in taken:
-        faults.extend(tab.faults)
-        tab.page.remove_listener("request", look)
-        if options is None:
-            tab.close()
-        else:
-            tabs.give_back(tab, options, server.url)
-    assert not faults, "\n".join(faults)
+def new_page(browser: Browser, server: Server) -> Iterator[Callable[..., Page]]:
+    """Makes a visitor's pages, without any fault."""
+    with visitors(browser, server.url) as make:
+        yield make
 
 
 @pytest.fixture
 def quiet(browser: Browser) -> Iterator[Callable[..., Page]]:
-    """Makes pages that may log errors to the console, as a browser does without a network, but throw no exception."""
-    contexts, faults = list[BrowserContext](), list[str]()
-
-    def make(width: int = 1280, height: int = 720, **options: Any) -> Page:
-        contexts.append(calm_context(browser, {"width": width, "height": height}, **options))
-        page = contexts[-1].new_page()
-        page.on("pageerror", lambda error: faults.append(str(error)))
-        return page
-
-    yield make
-    for context in contexts:
-        context.close()
-    assert not faults
+    """Makes pages that may log errors to the console, as a browser does without a network."""
+    with visitors(browser) as make:
+        yield make
 
 
 @pytest.fixture
@@ -200,20 +134,18 @@ def page(new_page: Callable[..., Page]) -> Page:
     return new_page()
 
 
-def _turning(browser: Browser, server: Server, width: int, height: int, **given: Any) -> Iterator[Page]:
+def _turning(browser: Browser, server: Server, *size: int, **options: Any) -> Iterator[Page]:
     """A page for all tests of a module, which changes from scene to scene."""
-    tab = Tab(browser, {"width": width, "height": height}, given)
-    tab.page.on("request", lambda request: tab.faults.extend(_foreign(request, server)))
-    tab.page.goto(f"{server.url}?scene={next(iter(SCENES))}")
-    tab.page.wait_for_function(READY)
-    yield tab.page
-    tab.close()
-    assert not tab.faults, "\n".join(tab.faults)
+    with visitors(browser, server.url) as make:
+        page = make(*size, **options)
+        page.goto(f"{server.url}?scene={next(iter(SCENES))}")
+        page.wait_for_function(READY)
+        yield page
 
 
 @pytest.fixture(scope="module")
 def desk(browser: Browser, server: Server) -> Iterator[Page]:
-    yield from _turning(browser, server, 1280, 720)
+    yield from _turning(browser, server)
 
 
 @pytest.fixture(scope="module")
@@ -242,9 +174,9 @@ def open_scene(server: Server) -> Callable[..., Page]:
     return go
 
 
-def _foreign(request: Request, server: Server) -> list[str]:
+def _foreign(request: Request, home: str) -> list[str]:
     address = urlsplit(request.url)
-    at_home = address.scheme in ("data", "blob") or address.netloc == urlsplit(server.url).netloc
+    at_home = address.scheme in ("data", "blob") or address.netloc == urlsplit(home).netloc
     return [] if at_home else [f"request to another host: {request.url}"]
 
 

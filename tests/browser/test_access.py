@@ -13,7 +13,7 @@ from components.scenes import SCENES
 from tests.browser import looks
 from tests.browser.fixtures import READY
 from tests.browser.looks import GRID, faults
-from tests.browser.waiting import passed, turned, unfold
+from tests.browser.waiting import passed, turned
 from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
@@ -111,29 +111,15 @@ def test_a_step_of_a_walk_is_read_in_order_and_its_fields_do_not_zoom(
         phone.wait_for_function("oscillations.walks.walk.lesson && !document.querySelector('.asked')")
         found += looks.of(phone, looks.ORDER)
         assert not found, (step, found)
-    phone.goto(f"{server.url}?scene=coupled")
-    phone.wait_for_function(READY)
-    unfold(phone)
-    phone.evaluate("document.getElementById('ask').click()")
-    phone.wait_for_function("document.querySelector('.asking select')")
-    assert looks.of(phone, looks.FIELDS) == []
-    phone.goto(server.url)
-    phone.wait_for_function("document.querySelector('#code')")
-    assert looks.of(phone, looks.FIELDS) == []
+    for address, part in (("?scene=coupled#ask", ".asking select"), ("", "#code")):
+        phone.goto(server.url + address)
+        phone.wait_for_function(f"document.querySelector('{part}')")
+        assert looks.of(phone, looks.FIELDS) == [], address
 
 
 def of_navigation(page: Page) -> list[str]:
     """Parts of the navigation that are cut or overlap each other; an open list may cover the page."""
     return [fault for fault in faults(page) if all("nav: " in part for part in fault.split(" | "))]
-
-
-def test_the_navigation_runs_into_nothing(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="coupled")
-    found = []
-    for size in GRID:
-        page.set_viewport_size({"width": size[0], "height": size[1]})
-        found += [f"{size}: {fault}" for fault in of_navigation(page)]
-    assert not found, "\n".join(found)
 
 
 def test_a_folded_lecture_opens_by_mouse_and_keys(desk: Page) -> None:
@@ -158,6 +144,7 @@ def test_a_folded_lecture_opens_by_mouse_and_keys(desk: Page) -> None:
 
 
 def test_on_a_narrow_screen_all_scenes_are_in_one_list_and_turning_keeps_the_focus(desk: Page) -> None:
+    """On no screen the navigation runs into anything."""
     off_line = """() => {
       const range = document.createRange()
       range.selectNodeContents(document.querySelector(".scene-menu summary"))
@@ -165,6 +152,11 @@ def test_on_a_narrow_screen_all_scenes_are_in_one_list_and_turning_keeps_the_foc
       return Math.abs(text.top + text.bottom - line.top - line.bottom) / 2
     }"""
     turned(desk, "coupled", {})
+    found = []
+    for width, height in GRID:
+        desk.set_viewport_size({"width": width, "height": height})
+        found += [f"{width} x {height}: {fault}" for fault in of_navigation(desk)]
+    assert not found, "\n".join(found)
     links, theme = desk.locator(".nav .scenes a:visible"), desk.locator("#theme")
     for width, height, to in ((820, 900, "energy"), (390, 844, "phugoid"), (320, 640, "energy")):
         theme.focus()
@@ -191,31 +183,24 @@ def described(page: Page, name: str) -> str:
     return str(page.evaluate("name => document.getElementById(`says-${name}`).textContent", name))
 
 
-def changed(page: Page, **values: float) -> None:
-    page.evaluate("values => oscillations.send({type: 'set', values})", values)
-
-
 def test_a_change_is_announced_in_one_sentence_of_the_scenes_values(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="coupled")
     described(page, "x1")
     heard = page.locator(HEARD)
     expect(heard).to_have_text("")
     before, now = SCENES["coupled"]().shown.values, SCENES["coupled"](k2=3.0).shown.values
-    changed(page, k2=3)
+    page.evaluate("oscillations.send({type: 'set', values: {k2: 3}})")
+    parts = ("Slow mode omega_minus rad/s", "fast mode omega_plus rad/s", "energy E_total J")
     told = [
         f"{name} {now[key]} {unit}, was {before[key]} {unit}"
-        for name, key, unit in (
-            ("Slow mode", "omega_minus", "rad/s"),
-            ("fast mode", "omega_plus", "rad/s"),
-            ("energy", "E_total", "J"),
-        )
+        for name, key, unit in (part.rsplit(maxsplit=2) for part in parts)
     ]
     expect(heard).to_have_text("; ".join(told) + ".")
-    changed(page, v1_0=1)
+    page.evaluate("oscillations.send({type: 'set', values: {v1_0: 1}})")
     expect(heard).to_have_text(re.compile(r"^Energy [\d.]+ J, was [\d.]+ J; unchanged: slow mode, fast mode\.$"))
     state = "{...oscillations.shown.state, covered: ['value:omega_minus', 'plot:x2']}"
     page.evaluate(f"oscillations.send({{type: 'open', state: {state}}})")
-    changed(page, k1=9)
+    page.evaluate("oscillations.send({type: 'set', values: {k1: 9}})")
     expect(heard).to_have_text(re.compile("^Fast mode .*"))
     assert "slow" not in (heard.text_content() or "").lower(), "a hidden number is announced"
     assert described(page, "x2").endswith("Covered until you press Reveal.")

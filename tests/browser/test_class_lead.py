@@ -15,7 +15,7 @@ from playwright.sync_api import FilePayload, Page, Request, Route, expect
 
 from tests.browser.classroom import FILLED, LED, Open, counted, joined, opening, put, remote_of, sent, taught, ticket
 from tests.browser.fixtures import CONNECTED, READY, another_version
-from tests.browser.waiting import QUIET, clicked, drop, passed, tap
+from tests.browser.waiting import MINE, QUIET, clicked, drop, passed, tap
 from tests.live_class.caller import call
 from tests.serving.server import Server, serving
 from tools.reconnect.site import GatedSite
@@ -247,45 +247,12 @@ def test_a_visitor_has_numbers_that_stay_and_a_class_those_of_the_file(window: O
     expect(phone.locator(".card .given")).to_contain_text("1.00 s")
 
 
-MINE = """title = "Mine"
-[[step]]
-id = "pull"
-from = "d31-03"
-"""
 BACK = 30_000
 """Milliseconds in which pages must reconnect."""
 READING = 3 * BACK
 """The same for a new process of the server that reads walks."""
-
-
-def copied(question: str, answers: int) -> str:
-    """True if the instructor's page has copies of so many answers to a question."""
-    of = f"{LED}.copies.answers.get('{question}/1')"
-    return f"Object.keys({of} ?? {{}}).length === {answers} && !{LED}.copies.stale.size"
-
-
-def answered_without_a_server(site: GatedSite, phones: list[Page], remote: Page) -> None:
-    """The third phone answers while there is no server, and all notice that."""
-    site.kill()
-    tap(phones[2], 1)
-    expect(phones[2].get_by_text("Not sent yet; trying again.")).to_be_visible()
-    expect(phones[0].locator(".class-bar")).to_contain_text("Not connected")
-    expect(remote.locator(".class-remote > [role=status]")).to_contain_text("The server does not answer")
-    site.start()
-    sent(phones[2], READING)
-    expect(phones[0].locator(".class-bar")).to_contain_text("Following", timeout=BACK)
-    expect(remote.locator(".class-remote > [role=status]")).to_contain_text("1 of 1", timeout=BACK)
-
-
-def loaded_again(site: GatedSite, lecture: Page) -> None:
-    """The server is killed again, and the instructor's page is loaded again, after the answer was shown."""
-    lecture.wait_for_function(copied("mine/pull", 3))
-    site.kill()
-    site.start()
-    lecture.reload()
-    lecture.wait_for_function(f"{LED}?.news.question?.lesson", timeout=READING)
-    lecture.wait_for_function(f"{LED}.votes.tally?.now.answered === 3", timeout=BACK)
-    lecture.wait_for_function("oscillations.walks.walk?.lesson")
+COPIED = f"""Object.keys({LED}.copies.answers.get('mine/pull/1') ?? {{}}).length === 3 && !{LED}.copies.stale.size"""
+"""The instructor's page has copies of three answers."""
 
 
 @pytest.mark.slow
@@ -301,7 +268,15 @@ def test_no_answer_is_lost_when_the_server_is_killed(quiet: Callable[..., Page],
         for phone in phones[:2]:
             tap(phone, 0)
             sent(phone)
-        answered_without_a_server(site, phones, remote)
+        site.kill()  # the third phone answers while there is no server, and all notice that
+        tap(phones[2], 1)
+        expect(phones[2].get_by_text("Not sent yet; trying again.")).to_be_visible()
+        expect(phones[0].locator(".class-bar")).to_contain_text("Not connected")
+        expect(remote.locator(".class-remote > [role=status]")).to_contain_text("The server does not answer")
+        site.start()
+        sent(phones[2], READING)
+        expect(phones[0].locator(".class-bar")).to_contain_text("Following", timeout=BACK)
+        expect(remote.locator(".class-remote > [role=status]")).to_contain_text("1 of 1", timeout=BACK)
         expect(lecture.locator(".votes")).to_contain_text("3 of 3 have answered", timeout=BACK)
         lecture.wait_for_function(CONNECTED, timeout=BACK)
         remote.get_by_role("button", name="Show the votes").click()  # it is still accepted
@@ -309,7 +284,13 @@ def test_no_answer_is_lost_when_the_server_is_killed(quiet: Callable[..., Page],
         remote.get_by_role("button", name="Show the answer").click()
         lecture.wait_for_function("oscillations.walks.walk.lesson")
         expect(phones[2].get_by_text("Twice the pull is twice the force")).to_be_visible()
-        loaded_again(site, lecture)
+        lecture.wait_for_function(COPIED)
+        site.kill()  # the instructor's page is loaded again, too, after the answer was shown
+        site.start()
+        lecture.reload()
+        lecture.wait_for_function(f"{LED}?.news.question?.lesson", timeout=READING)
+        lecture.wait_for_function(f"{LED}.votes.tally?.now.answered === 3", timeout=BACK)
+        lecture.wait_for_function("oscillations.walks.walk?.lesson")
         lecture.evaluate(f"{LED}.end()")
         for page in (*phones, remote):  # one that misses the last news doubts for half a minute that the class is over
             expect(page.locator("h1")).to_contain_text("The class is over.", timeout=2 * BACK)

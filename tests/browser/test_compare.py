@@ -6,9 +6,10 @@ import re
 from collections.abc import Callable
 
 import pytest
-from playwright.sync_api import Locator, Page, Request, expect
+from playwright.sync_api import Locator, Page, expect
 
 from components.scenes import SCENES
+from tests.browser.fixtures import READY
 from tests.browser.waiting import QUIET, is_shown, turned, type_in, typed
 
 pytestmark = pytest.mark.browser
@@ -59,7 +60,6 @@ def test_what_is_held_stays_until_it_is_released(page: Page, open_scene: Open) -
     page.keyboard.press("Control+Shift+z")
     page.wait_for_function("oscillations.shown.settings.m.value === 4 && location.search.includes('m=4')")
     page.reload()
-    page.wait_for_function("document.documentElement.dataset.ready === 'true'")
     expect(ledger).to_be_visible()
     page.get_by_role("button", name="Release").click()
     expect(ledger).to_be_hidden()
@@ -96,10 +96,7 @@ def test_what_the_next_change_shows_waits_for_a_prediction_in_its_place(page: Pa
     """It is armed by keys and revealed by mouse and keys."""
     places = "[...document.querySelectorAll('.paper .block')].map(b => JSON.stringify(b.getBoundingClientRect()))"
     open_scene(page, scene="coupled")
-    button, covers = (
-        page.get_by_role("button", name="Predict"),
-        page.locator(".cover:visible"),
-    )
+    button, covers = page.get_by_role("button", name="Predict"), page.locator(".cover:visible")
     armed(page, button)
     before = page.evaluate(places)
     type_in(page, "k2", "5")
@@ -257,11 +254,7 @@ def turn(page: Page, slug: str) -> None:
 
 
 def arrived(page: Page, slug: str) -> None:
-    page.wait_for_function(
-        "slug => globalThis.oscillations?.page?.spec.slug === slug"
-        " && document.documentElement.dataset.ready === 'true'",
-        arg=slug,
-    )
+    page.wait_for_function(f"globalThis.oscillations?.page?.spec.slug === '{slug}' && {READY}")
     expect(page.get_by_role("heading", level=1)).to_have_text(SCENES[slug].headline)
 
 
@@ -272,11 +265,7 @@ def test_every_scene_is_reached_without_loading_a_page(page: Page, open_scene: O
     open_scene(page, scene="coupled", k2=3)
     page.evaluate("document.documentElement.dataset.theme = 'dark', globalThis.mine = true")
     navigation = page.evaluate(NAVIGATION)
-
-    def note(request: Request) -> None:
-        asked.append(request.url)
-
-    page.on("request", note)
+    page.on("request", lambda request: asked.append(request.url))
     for slug in (*SCENES, "coupled", "forced"):
         turn(page, slug)
         assert page.title() == f"{SCENES[slug].headline} – Oscillations"
@@ -294,19 +283,10 @@ def test_every_scene_is_reached_without_loading_a_page(page: Page, open_scene: O
     assert not [url for url in asked if "/assets/" not in url]
 
 
-def opens_another_tab(page: Page) -> None:
-    """A click for another tab is the browser's own."""
-    with page.context.expect_page() as other:
-        page.locator(".nav nav a[data-scene=coupled]").click(modifiers=["ControlOrMeta"])
-    expect(other.value.locator("h1")).to_have_text(SCENES["coupled"].headline, timeout=30_000)
-    assert page.evaluate("oscillations.shown.scene") == "forced"
-    other.value.close()
-
-
 def test_the_back_button_steps_through_scenes_and_presets_and_not_through_values(
     new_page: Callable[..., Page], open_scene: Open
 ) -> None:
-    page = open_scene(new_page(fresh=True), scene="coupled")
+    page = open_scene(new_page(), scene="coupled")
     length = page.evaluate("history.length")
     type_in(page, "k2", "3")
     page.wait_for_function("location.search.startsWith('?scene=coupled&k2=3')")
@@ -325,7 +305,11 @@ def test_the_back_button_steps_through_scenes_and_presets_and_not_through_values
     page.wait_for_function("oscillations.shown.preset === 'drift'")
     page.go_forward()
     arrived(page, "forced")
-    opens_another_tab(page)
+    with page.context.expect_page() as other:  # a click for another tab is the browser's own
+        page.locator(".nav nav a[data-scene=coupled]").click(modifiers=["ControlOrMeta"])
+    expect(other.value.locator("h1")).to_have_text(SCENES["coupled"].headline, timeout=30_000)
+    assert page.evaluate("oscillations.shown.scene") == "forced"
+    other.value.close()
     page.get_by_role("button", name="Reset").click()
     is_shown(page, m1=1)
     expect(page.get_by_role("button", name="Reset")).to_be_disabled()

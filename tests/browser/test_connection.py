@@ -13,7 +13,7 @@ from playwright.sync_api import Browser, Page, Route, expect
 
 from components.scenes import SCENES
 from tests.browser.fixtures import READY, another_version
-from tests.browser.waiting import QUIET, played, unfold
+from tests.browser.waiting import MINE, QUIET, played, unfold
 from tests.grids import sample
 from tests.serving.server import Server
 from tools.attack.stage import faults_of
@@ -22,7 +22,6 @@ from tools.reconnect.site import GatedSite
 
 pytestmark = pytest.mark.browser
 Quiet = Callable[..., Page]
-MINE = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'
 
 
 @pytest.fixture(scope="module")
@@ -115,24 +114,6 @@ def test_what_is_lost_is_said_and_what_waits_is_shown(page: Page, server: Server
     preset_choice_window_and_scene_wait(page)
 
 
-def test_a_page_that_waits_for_a_place_shows_its_ticket(page: Page, server: Server) -> None:
-    opened(page, server)
-    shown: list[str] = []
-
-    def full_once(route: Route) -> None:
-        shown.append(route.request.headers["page-ticket"])
-        if len(shown) > 1:
-            route.continue_()
-        else:
-            route.fulfill(status=503, headers={"Page-Ticket": "second"}, body="All places are taken")
-
-    page.route(server.url + "?*", full_once)
-    lost(page)
-    page.context.set_offline(False)
-    page.wait_for_function(SETTLED)
-    assert shown == ["", "second"]
-
-
 def test_a_page_older_than_the_server_takes_the_new_one_but_not_under_a_hand(page: Page, server: Server) -> None:
     opened(page, server)
     page.evaluate("globalThis.old = true")
@@ -192,6 +173,7 @@ def test_a_walk_of_ones_own_is_known_to_the_next_session(page: Page, server: Ser
 
 
 def test_a_link_too_long_for_a_server_loses_nothing(page: Page, server: Server) -> None:
+    """Nor does a page that waits for a place: it shows its ticket."""
     opened(page, server)
     page.evaluate(
         """() => {
@@ -204,9 +186,21 @@ def test_a_link_too_long_for_a_server_loses_nothing(page: Page, server: Server) 
     page.wait_for_function("oscillations.shown.settings.k2.value === 3 && location.search === '?scene=coupled'")
     page.get_by_role("button", name="Copy link").click()
     expect(page.get_by_role("button", name="Too long")).to_be_visible()
+    shown: list[str] = []
+
+    def full_once(route: Route) -> None:
+        shown.append(route.request.headers["page-ticket"])
+        if len(shown) > 1:
+            route.continue_()
+        else:
+            route.fulfill(status=503, headers={"Page-Ticket": "second"}, body="All places are taken")
+
+    page.route(server.url + "?*", full_once)
     lost(page)
     page.context.set_offline(False)
     page.wait_for_function(SETTLED)
+    assert shown == ["", "second"]
+    page.unroute(server.url + "?*")
     page.reload()
     page.wait_for_function("globalThis.oscillations?.shown?.settings.k2.value === 3")
     assert page.evaluate("oscillations.messages.state.hidden") == ["x1_slow"]

@@ -8,8 +8,9 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
-from tests.browser.touch import Finger
-from tests.browser.waiting import QUIET, clicked, is_shown, passed, turned, typed
+from tests.browser.looks import TAUGHT
+from tests.browser.touch import Finger, middle, value
+from tests.browser.waiting import clicked, is_shown, passed, turned, typed
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
@@ -25,11 +26,6 @@ def slider(page: Page, name: str) -> Locator:
 
 def problem(page: Page, name: str) -> Locator:
     return page.locator(f"#problem-{name}")
-
-
-def value(page: Page, name: str) -> float:
-    page.wait_for_function(QUIET)
-    return float(page.evaluate(f"oscillations.shown.settings.{name}.value"))
 
 
 def test_a_slider_has_a_name_and_sets_its_value_by_mouse_and_keys(desk: Page) -> None:
@@ -69,10 +65,7 @@ def test_a_finger_moves_a_slider_sideways_only(phone: Page) -> None:
     turned(phone, "coupled", {})
     for across, down, moves in ((0, 60, False), (5, 2, False), (60, 4, True)):
         before = value(phone, "k2")
-        slider(phone, "k2").evaluate("one => one.scrollIntoView({block: 'center'})")
-        box = slider(phone, "k2").bounding_box()
-        assert box
-        finger, x, y = Finger(phone), box["x"] + 0.3 * box["width"], box["y"] + box["height"] / 2
+        finger, (x, y) = Finger(phone), middle(slider(phone, "k2"))
         finger.down(x, y)
         for step in range(1, 6):
             finger.move(x + across * step / 5, y + down * step / 5)
@@ -134,20 +127,16 @@ def test_refused_text_stays_with_its_reason_until_it_is_corrected(desk: Page) ->
     field(desk, "k2").press("Escape")
     expect(problem(desk, "k2")).to_be_hidden()
     expect(field(desk, "k2")).to_have_value("3.00")
+    field(desk, "k2").fill("7.")
+    desk.evaluate("oscillations.send({type: 'set', values: {m1: 3}})")
+    expect(field(desk, "m1")).to_have_value("3.00")
+    expect(field(desk, "k2")).to_have_value("7.")  # an answer does not overwrite what a hand is setting
+    field(desk, "k2").press("Escape")
     turned(desk, "coupled", {"m1": 5e-324})
     slider(desk, "k2").fill("0.9")
     expect(problem(desk, "k2")).to_contain_text("outside the range of doubles")
     expect(field(desk, "k2")).to_have_value("72.9")
     expect(slider(desk, "k2")).to_have_attribute("aria-valuetext", "2.00 N/m")
-
-
-def test_answers_do_not_overwrite_what_a_hand_is_setting(desk: Page) -> None:
-    turned(desk, "coupled", {})
-    field(desk, "k2").fill("7.")
-    desk.evaluate("oscillations.send({type: 'set', values: {m1: 3}})")
-    expect(field(desk, "m1")).to_have_value("3.00")
-    expect(field(desk, "k2")).to_have_value("7.")
-    field(desk, "k2").press("Escape")
 
 
 def test_each_slider_and_field_is_described_by_its_own_help(desk: Page) -> None:
@@ -173,20 +162,13 @@ def test_each_slider_and_field_is_described_by_its_own_help(desk: Page) -> None:
 
 
 AT = "id => oscillations.shown.state.step === id && oscillations.walks.walk?.card"
-TAUGHT = "() => oscillations.walks.walk?.lesson"
-ASKED = (
-    "() => oscillations.walks.walk?.card && !oscillations.walks.walk.lesson && oscillations.shown.state.covered.length"
-)
+ASKED = "oscillations.walks.walk?.card && !oscillations.walks.walk.lesson && oscillations.shown.state.covered.length"
 TWICE = """() => {
   for (const type of ["keydown", "keyup", "keydown", "keyup"])
     document.body.dispatchEvent(new KeyboardEvent(type, {key: "PageDown", bubbles: true, cancelable: true}))
   globalThis.pressed = performance.now()
 }"""
 """Two presses at once."""
-
-
-def at(page: Page, step: str) -> None:
-    page.wait_for_function(AT, arg=step)
 
 
 def playing(page: Page) -> bool:
@@ -279,7 +261,7 @@ def stops_at_the_last_slide(page: Page) -> None:
 def test_a_clicker_leads_through_a_walk_and_takes_an_answer_back(page: Page, open_scene: Open) -> None:
     """Two presses at once are one. It closes the topmost dialog first, and stops at the last slide."""
     open_scene(page, walk="d34", step="d34-02")
-    at(page, "d34/d34-02")
+    page.wait_for_function(AT, arg="d34/d34-02")
     page.keyboard.press("Space")
     assert not playing(page), "nothing plays before the answer"
     page.keyboard.press("2")
@@ -290,7 +272,7 @@ def test_a_clicker_leads_through_a_walk_and_takes_an_answer_back(page: Page, ope
     page.wait_for_function(TAUGHT)
     clicked(page, "PageUp")
     page.wait_for_function(ASKED)
-    at(page, "d34/d34-02")
+    page.wait_for_function(AT, arg="d34/d34-02")
     clicked(page)
     page.wait_for_function(TAUGHT)
     formulas = page.locator(".card .follows .lines")
@@ -299,9 +281,9 @@ def test_a_clicker_leads_through_a_walk_and_takes_an_answer_back(page: Page, ope
         clicked(page, key)
         expect(formulas).to_be_visible(visible=visible)
     clicked(page)
-    at(page, "d34/d34-03")
+    page.wait_for_function(AT, arg="d34/d34-03")
     clicked(page, "PageUp")
-    at(page, "d34/d34-02")
+    page.wait_for_function(AT, arg="d34/d34-02")
     page.keyboard.press("Escape")
     expect(page.locator(".card")).to_be_visible()  # Esc never leaves a walk
     open_scene(page, walk="tour", step="1")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +12,7 @@ from PIL import Image
 from components.layout.text import mathml
 from components.scenes import SCENES
 from tests.browser.fixtures import CONNECTED, READY
-from tests.browser.touch import Point, stroke
+from tests.browser.touch import Point, stroke, value
 from tests.browser.waiting import FRAMES, PASSED, QUIET
 from tests.grids import sample
 from tests.serving.server import Server, free_port, serving
@@ -166,13 +166,6 @@ SAVED = """() => {
 """Notes a file instead of saving it, because each browser asks in its own way where to save."""
 
 
-def value(window: DrivenWindow, name: str) -> float:
-    """The value of a parameter, once all messages are answered."""
-    window.wait_for_function(QUIET)
-    found: float = window.evaluate(f"oscillations.shown.settings.{name}.value")
-    return found
-
-
 def test_a_visitor_finds_a_scene_changes_it_and_takes_its_numbers_along(engine: DrivenWindow, server: Server) -> None:
     engine.goto(server.url)
     press(engine, "a.scene-card[href='?scene=coupled']")
@@ -205,26 +198,11 @@ def test_a_visitor_finds_a_scene_changes_it_and_takes_its_numbers_along(engine: 
     engine.wait_for_function("window.saved?.name === 'coupled.zip' && window.saved.size > 10_000")
 
 
-def marked(window: DrivenWindow) -> None:
-    left, top, width, height = window.evaluate("""(({plot: {host, frame}}) => {
-      const {left, top} = host.getBoundingClientRect()
-      return [left + frame.left, top + frame.top, frame.width, frame.height]
-    })(oscillations.walks.walk.card.question.marker)""")
-    stroke(window, [(left + width / 2, top + 0.3 * height)])
-
-
-def sketched(window: DrivenWindow) -> None:
-    x, y = middle(window, ".drawing")
-    stroke(window, [(x + 12 * i, y - 40 + 8 * (i % 10)) for i in range(-15, 15)])
-
-
-@pytest.mark.parametrize(("step", "answer"), [("d34-08", marked), ("d34-10", sketched)])
-def test_a_step_of_a_walk_is_answered_and_explained(
-    engine: DrivenWindow, server: Server, step: str, answer: Callable[[DrivenWindow], None]
-) -> None:
-    engine.goto(f"{server.url}?walk=d34&step={step}")
+def test_a_sketch_of_a_walk_is_answered_and_explained(engine: DrivenWindow, server: Server) -> None:
+    engine.goto(f"{server.url}?walk=d34&step=d34-10")
     engine.wait_for_function(CARD)
-    answer(engine)
+    x, y = middle(engine, ".drawing")
+    stroke(engine, [(x + 12 * i, y - 40 + 8 * (i % 10)) for i in range(-15, 15)])
     press(engine, "button", "Show the answer")
     engine.wait_for_function(LESSON)
     assert engine.evaluate("oscillations.walks.walk.lesson.right") is not None

@@ -1,4 +1,4 @@
-"""The hall: large type in every view; every step of every walk, led by a clicker, keys and touch, and with votes.
+"""The hall: large type in every view; every step of every walk, led by a clicker or keys, and with votes.
 Nothing scrolls, is cut off or is too small, and each headline and each explanation is seen.
 """
 
@@ -22,11 +22,11 @@ from components.walks.questions.point import PointStep
 from components.walks.questions.sketch import SketchStep
 from components.walks.subject import Subject
 from components.walks.walk import Step
-from tests.browser.classroom import FILLED, FRAME, LED, Open, joined, put, sent, taught
+from tests.browser.classroom import FILLED, LED, Open, joined, put, sent, taught
 from tests.browser.fixtures import READY
 from tests.browser.looks import LAID, LOW, SCROLLED, TAUGHT, faults, in_hall
-from tests.browser.touch import middle, swipe, value
-from tests.browser.waiting import clicked, drop, passed, seek, turned
+from tests.browser.touch import middle, value
+from tests.browser.waiting import MINE, clicked, drop, passed, seek, turned
 from tests.grids import WHOLE, sample
 from tests.live_class.caller import call
 from tests.serving.server import ROOT, Server
@@ -36,8 +36,8 @@ from tools.look import faults_of
 pytestmark = pytest.mark.browser
 WALKS = load_walks(())
 NAMES = ["tour", "d31", "d32-33", "d34", "waves"]
-SLOWER = [f"{name} {by}" for by in ("clicker", "keys", "touch") for name in NAMES if (name, by) != ("tour", "keys")]
-LEADS = ["tour keys", *(pytest.param(led, marks=pytest.mark.slow) for led in sample(SLOWER, 5))]
+SLOWER = [f"{name} {by}" for by in ("clicker", "keys") for name in NAMES if (name, by) != ("tour", "keys")]
+LEADS = ["tour keys", *(pytest.param(led, marks=pytest.mark.slow) for led in sample(SLOWER, 6))]
 HEIGHT = 720
 WORST = {
     *("d31-02", "d31-07", "d31-09", "d34-02", "d34-05", "d34-06", "d34-09", "d34-10", "d34-16"),
@@ -95,44 +95,26 @@ def wordiest(step: Step) -> int | str:
     return f"{step.wrong(Subject('', step, SCENES))[longest]:.3g}"
 
 
-def answered(page: Page, step: Step, by: str) -> None:
-    """Answer with keys or a finger."""
-    if isinstance(step, ChoiceStep) and by == "touch":
-        page.locator(f".answers [data-option='{wordiest(step)}']").tap()
-    elif isinstance(step, ChoiceStep):
+def answered(page: Page, step: Step) -> None:
+    """Answer with keys."""
+    if isinstance(step, ChoiceStep):
         place = page.locator(".answers [data-option]").evaluate_all(
             "(all, i) => all.findIndex(one => one.dataset.option === i)", str(wordiest(step))
         )
         page.keyboard.press(f"{place + 1}")
     elif isinstance(step, NumberStep):
         page.get_by_role("textbox", name="Your answer").fill(str(wordiest(step)))
-    elif by == "touch":
-        frame = FRAME.replace(".pad", ".marker") if isinstance(step, PointStep) else FRAME
-        left, top, width, height = page.evaluate(frame)
-        swipe(page, (left + width / 3, top + height / 3), (round(width / 3), round(height / 3)))
     elif isinstance(step, PointStep):
         page.locator(".pill-mark").press("ArrowRight")
     else:
         for key in ("Enter", *["Shift+ArrowRight"] * 9):
             page.get_by_role("application").press(key)
-
-
-def forward(page: Page, step: Step, by: str) -> None:
-    """Show the answer to a question, after an answer if keys or fingers lead."""
-    if by == "clicker":
-        return clicked(page)
-    answered(page, step, by)
-    if by == "touch":
-        return page.locator(FILLED).tap()
     page.evaluate("document.activeElement.blur()")
-    return page.keyboard.press("r")
 
 
 def onward(page: Page, by: str) -> None:
     if by == "clicker":
         clicked(page)
-    elif by == "touch":
-        page.locator(FILLED).tap()
     else:
         page.locator(FILLED).press("Enter")
 
@@ -148,10 +130,11 @@ def explained(page: Page, step: Step, by: str) -> Iterator[str]:
         yield from page.evaluate(HIDDEN, [".card .follows .lines"])
 
 
-def with_room(page: Page, step: Step, by: str) -> Iterator[str]:
-    """Faults of a step in all that it shows."""
+def with_room(page: Page, step: Step) -> Iterator[str]:
+    """Faults of a step in all that it shows, answered by keys."""
     yield from (f"question: {fault}" for fault in faults_of(page, HEIGHT))
-    forward(page, step, by)
+    answered(page, step)
+    page.keyboard.press("r")
     page.wait_for_function(TAUGHT)
     yield from (f"answer: {fault}" for fault in faults_of(page, HEIGHT))
     if step.id not in WORST:
@@ -185,15 +168,15 @@ def on_a_desk_and_a_phone(page: Page) -> Iterator[str]:
 @pytest.mark.parametrize("led", LEADS)
 def test_alone(led: str, server: Server, new_page: Callable[..., Page]) -> None:
     name, by = led.split()
-    page = new_page(1280, HEIGHT, has_touch=by == "touch")
+    page = new_page(1280, HEIGHT)
     page.goto(f"{server.url}?walk={name}&projector")
     found: list[str] = []
     for step in WALKS[name].steps:
         page.wait_for_function(ASKED, arg=step.id)
         if by == "keys":
-            found += [f"{step.id}: {fault}" for fault in with_room(page, step, by)]
+            found += [f"{step.id}: {fault}" for fault in with_room(page, step)]
         else:
-            forward(page, step, by)
+            clicked(page)
             page.wait_for_function(TAUGHT)
         found += [f"{step.id}: {fault}" for fault in explained(page, step, by)]
         if by == "clicker":
@@ -269,14 +252,11 @@ def test_make_walk_reports_a_curve_that_is_too_flat_next_to_its_pictures(tmp_pat
     """In its own process, because this one already has a Playwright."""
     (tmp_path / "flat.toml").write_text(FLAT, encoding="utf-8")
     command = [sys.executable, "-m", "tools.walk", "flat.toml", "--look", "--pictures"]
-    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
-    told = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
-    assert told.returncode == 1, told.stderr
-    folder = tmp_path / "build" / "walk" / "flat"
-    names = {f"01-flat-{when}-{size}.png" for when in ("question", "answer") for size in ("hall", "phone")}
-    assert {one.name for one in folder.glob("*.png")} == names
-    page = (folder / "index.html").read_text(encoding="utf-8")
-    assert all(f'src="{name}"' in page for name in names) and "question at 853 x 480: plot x: its curves use " in page
+    done = subprocess.run(command, cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(ROOT)}, check=False)
+    page = (tmp_path / "build" / "walk" / "flat" / "index.html").read_text(encoding="utf-8")
+    assert done.returncode == 1 and "question at 853 x 480: plot x: its curves use " in page
+    for name in (f"01-flat-{when}-{size}.png" for when in ("question", "answer") for size in ("hall", "phone")):
+        assert f'src="{name}"' in page and (tmp_path / "build" / "walk" / "flat" / name).stat().st_size
 
 
 FITS = ((853, 480), (1280, 720))
@@ -318,7 +298,7 @@ def test_the_questions_stand_in_a_window_of_their_own_that_leads_the_hall(server
     """With the questions of the instructor's own file, which only the hall's page knows."""
     page.goto(f"{server.url}?walk=d34&step=12&projector")
     page.wait_for_function(f"{READY} && document.querySelector('.card')")
-    drop(page, "mine.toml", 'title = "Mine"\n[[step]]\nid = "pull"\nfrom = "d31-03"\n')
+    drop(page, "mine.toml", MINE)
     page.wait_for_function("oscillations.walks.walk?.step?.id === 'pull' && document.querySelector('.card')")
     page.get_by_role("button", name="Contents", exact=True).first.click()
     assert "?" not in page.locator("dialog.contents").inner_text()  # the hall cannot read the questions

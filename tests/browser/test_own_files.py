@@ -20,28 +20,24 @@ from components.walks.questions.choice import ChoiceStep
 from components.walks.questions.point import PointStep
 from components.walks.questions.sketch import SketchStep
 from components.walks.walk import Walk
+from tests.browser.classroom import draw
 from tests.browser.fixtures import READY
-from tests.browser.touch import stroke
-from tests.browser.waiting import clicked, drop, tap, turned
+from tests.browser.waiting import MINE, clicked, drop, tap, turned
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
 COVERED = {"plot:x2", "value:omega_minus", "form:beat"}
-MINE = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'
 DRAWN = """(() => {
   const {x, y} = oscillations.plots.find(({block}) => block.name === "x1")
   const {t, x1} = oscillations.shown.view.columns.time
   return Array.from(t, (at, i) => [(at - x.start) / (x.end - x.start), (x1[i] - y.start) / (y.end - y.start)])
 })()"""
 """The curve of mass 1, in shares of its frame."""
-PLACES = """drawn => {
-  const {plot: {host, frame}} = oscillations.walks.walk.card.question.pad
-  const {left, top} = host.getBoundingClientRect()
-  const places = drawn.map(([x, y]) => [left + frame.left + x * frame.width, top + frame.top + (1 - y) * frame.height])
-  return places.filter((_, i) => i % Math.ceil(places.length / 120) === 0)
-}"""
 REFUSED = {
     "big.toml": (b"#" * 48_001, "big.toml: the file has 48001 bytes; at most 48000 are allowed."),
-    "cover.toml": (MINE.encode() + b'cover = ["plot:z"]', "step 1 (one), cover: “plot:z” is not possible: choose from"),
+    "cover.toml": (
+        MINE.encode() + b'cover = ["plot:z"]',
+        "step 1 (pull), cover: “plot:z” is not possible: choose from",
+    ),
 }
 
 
@@ -66,7 +62,7 @@ def test_a_file_is_run_or_refused_in_a_sentence(page: Page, open_scene: Callable
     drop(page, "My walk.toml", f"{MINE}#".ljust(48_000, "x"))  # the largest size
     page.wait_for_function(f"oscillations.walks.walk?.sheet.name === 'my-walk' && {READY}")
     expect(page.locator("h1")).to_have_text("How long does one swing take?")
-    assert "walk=my-walk&step=one" in page.evaluate("location.search")
+    assert "walk=my-walk&step=pull" in page.evaluate("location.search")
     page.reload()  # a clicker's start key
     page.wait_for_function(f"oscillations.walks.walk?.card && {READY}")
     expect(page.locator(".notice")).to_be_hidden()
@@ -145,12 +141,12 @@ def test_what_is_asked_is_a_walk_that_passes_its_checks_and_runs(
     answered(page, walk, drawn)
 
 
-def answered(page: Page, walk: Walk, drawn: list[list[float]]) -> None:
+def answered(page: Page, walk: Walk, drawn: list[tuple[float, float]]) -> None:
     """Every step is asked in the picture on which it was written, and the right answer is right."""
     answers: tuple[Callable[[Page], None], ...] = (
         lambda page: tap(page, 0),
         lambda page: page.get_by_label("Your answer").fill("2.45"),
-        lambda page: stroke(page, page.evaluate(PLACES, drawn)),
+        lambda page: draw(page, lambda share: float(np.interp(share, *zip(*drawn, strict=True))), 120),
         point,
     )
     for place, answer in enumerate(answers):
@@ -241,15 +237,6 @@ def removed(page: Page) -> None:
     expect(page.locator(".measured-sentence")).to_be_empty()
 
 
-def saved_residuals(page: Page) -> np.ndarray:
-    """The numbers of the file that the button saves."""
-    with page.expect_download() as download:
-        page.get_by_role("button", name="Save residuals").click()
-    rows = list(csv.reader(download.value.path().read_text(encoding="utf-8").splitlines()))
-    assert len(rows[0]) == len(rows[1])
-    return np.array([[float(cell or "nan") for cell in row] for row in rows[1:]])
-
-
 def test_a_dropped_file_is_fitted_and_the_model_passes_through_it(page: Page, open_scene: Callable[..., Page]) -> None:
     """Nothing of it is fetched before its view is shown. An example goes along to other views and scenes."""
     asked: list[str] = []
@@ -270,8 +257,11 @@ def test_a_dropped_file_is_fitted_and_the_model_passes_through_it(page: Page, op
     page.get_by_role("button", name="Fit to data").click()
     page.wait_for_function(f"{WINDOW} === 10")
     assert page.evaluate("oscillations.shown.settings.k.value") == pytest.approx(OMEGA**2 + DECAY**2, rel=1e-2)
-    residuals = saved_residuals(page)[:, 3]
-    assert len(residuals) == 301 and np.std(residuals) == pytest.approx(2e-4, rel=0.2)
+    with page.expect_download() as download:
+        page.get_by_role("button", name="Save residuals").click()
+    rows = list(csv.reader(download.value.path().read_text(encoding="utf-8").splitlines()))
+    residuals = [float(row[3]) for row in rows[1:]]
+    assert len(residuals) == 301 and len(rows[0]) == len(rows[1]) and np.std(residuals) == pytest.approx(2e-4, rel=0.2)
     assert "cart" not in page.url and "window=10" in page.url
     removed(page)
     page.get_by_role("button", name="Simulated: air drag").click()
@@ -324,7 +314,7 @@ def test_a_phone_records_its_own_acceleration(
     new_page: Callable[..., Page], open_scene: Callable[..., Page], measured: Page
 ) -> None:
     expect(measured.get_by_role("button", name="Record with this phone")).to_have_count(0)
-    phone = new_page(width=390, height=844, fresh=True, has_touch=True, is_mobile=True)
+    phone = new_page(width=390, height=844, has_touch=True, is_mobile=True)
     open_scene(phone, scene="damped", view="measured")
     phone.evaluate("DeviceMotionEvent.requestPermission = async () => 'denied'")
     phone.get_by_role("button", name="Record with this phone").tap()

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable
 
 import pytest
-from playwright.sync_api import Browser, Page, WebSocket, expect
+from playwright.sync_api import Page, WebSocket, expect
 
 from components.quantities.formatting import short
 from components.scenes import SCENES
@@ -215,7 +215,8 @@ def home(page: Page, server: Server) -> Page:
     return page
 
 
-def test_every_scene_is_there_and_opens_by_mouse_and_keys(home: Page) -> None:
+def test_every_scene_is_there_and_opens_by_mouse_and_keys_and_one_filled_button_begins_the_tour(home: Page) -> None:
+    """Light and dark are kept."""
     cards = home.locator("a.scene-card")
     expect(cards.locator(".name")).to_have_text([scene.title for scene in SCENES.values()])
     expect(cards.locator(".claim")).to_have_text([scene.headline for scene in SCENES.values()])
@@ -229,6 +230,15 @@ def test_every_scene_is_there_and_opens_by_mouse_and_keys(home: Page) -> None:
         expect(home.get_by_role("heading", level=1)).to_have_text(SCENES["coupled"].headline)
         home.locator(".brand").click()
         expect(home.get_by_role("heading", level=1)).to_have_text("Pull a mass and see how it oscillates")
+    home.locator("#theme").click()
+    theme = home.evaluate("document.documentElement.dataset.theme")
+    home.reload()
+    assert home.evaluate("document.documentElement.dataset.theme") == theme == "dark"
+    filled = home.locator("body :is(a, button)").evaluate_all(INK)
+    assert filled == ["Start here five questions, ten minutes"]
+    home.get_by_role("link", name="Start here").click()
+    home.wait_for_function(READY)
+    expect(home.locator(".card-head span")).to_contain_text("1 of 5")
 
 
 def test_nothing_leaves_any_screen_all_can_be_hit_and_is_read_in_the_order_in_which_it_is_seen(home: Page) -> None:
@@ -261,20 +271,8 @@ def test_each_picture_in_view_moves_and_no_other_and_none_with_reduced_motion(ho
     home.wait_for_function(moves, arg=[-1, before[-1]])
 
 
-def test_light_and_dark_are_kept_and_one_filled_button_begins_the_tour(home: Page) -> None:
-    home.locator("#theme").click()
-    theme = home.evaluate("document.documentElement.dataset.theme")
-    home.reload()
-    assert home.evaluate("document.documentElement.dataset.theme") == theme == "dark"
-    filled = home.locator("body :is(a, button)").evaluate_all(INK)
-    assert filled == ["Start here five questions, ten minutes"]
-    home.get_by_role("link", name="Start here").click()
-    home.wait_for_function(READY)
-    expect(home.locator(".card-head span")).to_contain_text("1 of 5")
-
-
-def test_a_code_that_no_class_has_is_said_and_stays(browser: Browser, server: Server) -> None:
-    page = browser.new_page()  # the browser logs the refusal
+def test_a_code_that_no_class_has_is_said_and_stays(quiet: Callable[..., Page], server: Server) -> None:
+    page = quiet()  # the browser logs the refusal
     page.goto(server.url)
     field = page.get_by_label("In a live class?")
     field.fill("ZZZZ")
@@ -282,4 +280,3 @@ def test_a_code_that_no_class_has_is_said_and_stays(browser: Browser, server: Se
     expect(page.locator("#no-class")).to_have_text("No class has this code now. A code has four letters and digits.")
     expect(field).to_be_focused()
     expect(field).to_have_value("ZZZZ")
-    page.close()

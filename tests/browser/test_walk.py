@@ -15,7 +15,7 @@ from components.walks.questions.choice import ChoiceStep
 from tests.browser.classroom import CONNECTED, FRAME, LED, Open, draw, joined, sent, taught
 from tests.browser.fixtures import READY
 from tests.browser.looks import TAUGHT
-from tests.browser.touch import Finger
+from tests.browser.touch import Finger, swipe
 from tests.browser.waiting import QUIET, passed, tap
 from tests.grids import sample
 from tests.serving.server import Server
@@ -46,12 +46,6 @@ def show(page: Page) -> None:
 def arrived(page: Page, step: str) -> None:
     page.wait_for_function(f"oscillations.shown.state.step.endsWith('{step}') && {CARD}")
     expect(page.locator("h1.waits")).to_have_count(1)
-
-
-def doubled(page: Page) -> float:
-    """Twice the period of this visitor's spring with 1 kg."""
-    page.wait_for_function("oscillations.walks.walk.numbers && oscillations.walks.walk.card")
-    return 4 * math.pi / math.sqrt(page.evaluate("oscillations.shown.settings.k.value"))
 
 
 def test_a_choice_is_asked_answered_and_explained(walk: Walk) -> None:
@@ -87,7 +81,9 @@ def test_answers_stay_in_the_browser_and_leaving_keeps_the_state_that_was_reache
     page.wait_for_function("!oscillations.shown.state.step")
     assert covered and page.evaluate("oscillations.shown.state.covered") == covered, "leaving answers nothing"
     page.keyboard.press("w")
-    answer = f"{doubled(page):.2f}"
+    page.wait_for_function("oscillations.walks.walk.numbers && oscillations.walks.walk.card")
+    k = page.evaluate("oscillations.shown.settings.k.value")  # this visitor's spring, with 1 kg
+    answer = f"{4 * math.pi / math.sqrt(k):.2f}"
     page.get_by_label("Your answer").fill(answer)
     page.get_by_label("Your answer").press("Enter")
     page.wait_for_function(f"{TAUGHT} && oscillations.shown.settings.m.value === 4")
@@ -160,7 +156,18 @@ def test_a_sketch_is_judged_by_its_features(walk: Walk) -> None:
     expect(page.locator(".strokes .old")).to_have_count(1)
 
 
-def test_a_finger_draws_and_nothing_scrolls(walk: Walk) -> None:
+def test_a_phone_has_a_key_for_the_sign_and_a_finger_marks_and_draws(walk: Walk) -> None:
+    page = walk("d34-01", *PHONE, has_touch=True, is_mobile=True)
+    field = page.get_by_label("Your answer")
+    field.fill("4")
+    page.get_by_role("button", name="Change the sign").click()
+    expect(field).to_have_value("−4")
+    show(page)
+    expect(page.get_by_role("img", name="right")).to_be_visible()
+    page = walk("d31-12", *PHONE, has_touch=True, is_mobile=True)
+    left, top, wide, high = page.evaluate(FRAME)
+    swipe(page, (left + wide / 3, top + high / 3), (round(wide / 3), round(high / 3)))
+    expect(page.get_by_text("Your mark: ")).to_be_visible()
     page = walk("d34-14", *PHONE, has_touch=True, is_mobile=True)
     page.evaluate("oscillations.walks.walk.card.question.plot.host.scrollIntoView({block: 'center'})")
     page.get_by_role("button", name="Show the answer", exact=True).tap()
@@ -208,7 +215,7 @@ requestAnimationFrame(look)"""
 @pytest.mark.parametrize("step", sample(["d31-02", "d34-02"], 3))
 def test_a_link_to_a_step_never_shows_the_scene_alone(step: str, server: Server, new_page: Callable[..., Page]) -> None:
     """The first one waits for the visitor's own numbers: its stage is visible before its card."""
-    page = new_page(fresh=True)
+    page = new_page()
     page.add_init_script(SEEN)
     page.goto(f"{server.url}?walk={step.rpartition('-')[0]}&step={step}")
     page.wait_for_function("globalThis.oscillations?.walks?.walk?.card && oscillations.connection.wire")
@@ -230,16 +237,6 @@ def test_the_core_of_a_walk_is_a_shorter_one(walk: Walk) -> None:
     page.evaluate("oscillations.walks.walk.next()")
     arrived(page, "d34-08")
     expect(page.locator(".card-head")).to_contain_text("2 of 6")
-
-
-def test_a_phone_has_a_key_for_the_sign(walk: Walk) -> None:
-    page = walk("d34-01", *PHONE, has_touch=True, is_mobile=True)
-    field = page.get_by_label("Your answer")
-    field.fill("4")
-    page.get_by_role("button", name="Change the sign").click()
-    expect(field).to_have_value("−4")
-    show(page)
-    expect(page.get_by_role("img", name="right")).to_be_visible()
 
 
 def test_the_first_visit_offers_the_tour_and_names_the_lectures(page: Page, open_scene: Callable[..., Page]) -> None:
@@ -281,20 +278,12 @@ QUESTION = [".asked-line", "h1", ".block:is(.stage, .plot)", ".answers button", 
 ANSWER = [".judgement", "h1", ".block.plot", ".transport", ".card .why", ".tries", ".answers"]
 IS_ABOVE_FOOT = """one => one.getBoundingClientRect().bottom <=
   document.querySelector(".foot").getBoundingClientRect().top"""
-LARGE, SMALL = (390, 844), (320, 568)
-
-
-@pytest.fixture
-def tour(new_page: Callable[..., Page], server: Server) -> Page:
-    page = new_page(*LARGE, fresh=True, has_touch=True)
-    page.goto(f"{server.url}?walk=tour")
-    page.wait_for_function(READY)
-    return page
+SMALL = (320, 568)
 
 
 def asked(tour: Page, place: int) -> None:
     """All of a question is on the first screen of a phone, in the order in which it is read."""
-    for width, height in (SMALL, LARGE):
+    for width, height in (SMALL, PHONE):
         tour.set_viewport_size({"width": width, "height": height})
         passed(tour)
         tour.wait_for_function(AT, arg=STEPS[place].id)
@@ -326,42 +315,38 @@ def answered(tour: Page, step: ChoiceStep, how: str) -> None:
     forward.click()
 
 
-def judged(end: Locator, how: str) -> None:
+HOW = ("wrong", "right", "skipped", "right", "wrong")
+"""The answers; the third step names no slider in its task."""
+
+
+def test_a_student_walks_the_tour(walk: Walk) -> None:
     """The last page counts the answers and names each step with its result."""
-    counts = {"right": "5 of your 5 answers were right.", "wrong": "0 of your 5 answers were right.", "nothing": "Five"}
-    expect(end.locator("p")).to_contain_text(counts[how])
-    results = end.locator(".results li")
-    expect(results).to_have_count(len(STEPS))
-    for row, step in zip(results.all(), STEPS, strict=True):
-        said = step.question if how == "nothing" else step.title
-        expect(row).to_contain_text(re.search(r"[^.]+$", said)[0].strip())
-        expect(row).to_contain_text("skipped" if how == "nothing" else how)
-
-
-@pytest.mark.parametrize("how", sample(["wrong", "right", "nothing"], 3))
-def test_a_student_walks_the_tour(tour: Page, how: str) -> None:
-    for place, step in enumerate(STEPS):
+    tour = walk("tour-01", *PHONE, has_touch=True)
+    for place, (step, how) in enumerate(zip(STEPS, HOW, strict=True)):
         asked(tour, place)
         forward = tour.locator(".foot .filled")
         expect(forward).to_have_text("Choose an answer")
-        if how != "nothing":
+        if how != "skipped":
             answered(tour, step, how)
             continue
         forward.click()
         expect(tour.get_by_role("alert").filter(has_text="Answer first: a guess is fine.")).to_be_visible()
         tour.get_by_role("button", name="Skip").click()
     end = tour.get_by_role("dialog", name="Done")
-    judged(end, how)
+    expect(end.locator("p")).to_contain_text("2 of your 4 answers were right.")
+    for row, step, how in zip(end.locator(".results li").all(), STEPS, HOW, strict=True):
+        said = step.question if how == "skipped" else step.title
+        expect(row).to_contain_text(re.search(r"[^.]+$", said)[0].strip())
+        expect(row).to_contain_text(how)
     expect(end.locator("a.scene-card svg")).to_have_count(3)
     expect(end.get_by_role("link", name="All scenes")).to_be_visible()
     end.get_by_role("button", name="Close").click()
     expect(end).to_be_hidden()
-    tour.get_by_role("button", name="Skip" if how == "nothing" else "Finish").click()
+    tour.get_by_role("button", name="Finish").click()
     end.get_by_role("link", name="Calm a machine").click()
     tour.wait_for_function(f"{READY} && oscillations.page.spec.slug === 'absorber'")
 
 
-NO_PRINTER = "() => { globalThis.print = () => {} }"
 STANDS = "JSON.stringify([oscillations.shown.state, oscillations.messages.number, oscillations.walks.walk.place])"
 NEWS = "JSON.stringify([oscillations.news.picture, oscillations.news.question])"
 FILLED = """[...document.querySelectorAll(".handout .sheet")].map(sheet => sheet.offsetHeight / 950)"""
@@ -374,7 +359,7 @@ HANDOUT = "Print a handout of this walk"
 
 def printed(page: Page, steps: int, name: str = HANDOUT) -> Locator:
     """The pages that a button prints, one article a step."""
-    page.evaluate(NO_PRINTER)
+    page.evaluate("() => { globalThis.print = () => {} }")
     page.locator(".walks summary").click()
     page.get_by_role("button", name=name).click()
     pages = page.locator(".handout")
@@ -383,17 +368,10 @@ def printed(page: Page, steps: int, name: str = HANDOUT) -> Locator:
     return pages
 
 
-def counted(page: Page) -> list[int]:
-    """The number of pages on each paper."""
-    page.emulate_media(media="print")
-    # The tree of pages has several nodes, each with its number of pages; the root has all.
-    return [max(map(int, re.findall(rb"/Count (\d+)", page.pdf(format=paper)))) for paper in ("A4", "Letter")]
-
-
 def test_a_walk_is_printed_with_space_for_answers_and_apart_from_it_the_answers(
     server: Server, new_page: Callable[..., Page]
 ) -> None:
-    page = new_page(fresh=True)
+    page = new_page()
     page.goto(f"{server.url}?walk=tour")
     page.wait_for_function(f"{CONNECTED} && oscillations.walks.walk?.card")
     pages = printed(page, 5)
@@ -403,7 +381,9 @@ def test_a_walk_is_printed_with_space_for_answers_and_apart_from_it_the_answers(
     assert "?" not in "".join(pages.locator("svg").all_text_contents())  # what is hidden has left no trace
     filled = page.evaluate(FILLED)
     assert 2 <= len(filled) <= 5 and min(filled) >= 0.6 and max(filled) <= 1, filled
-    assert counted(page) == [len(filled)] * 2
+    page.emulate_media(media="print")
+    for paper in ("A4", "Letter"):  # the tree of pages has several nodes, each with its number; the root has all
+        assert max(map(int, re.findall(rb"/Count (\d+)", page.pdf(format=paper)))) == len(filled)
     assert min(page.evaluate(POINTS)) > 6.9
     page.locator(".handout").evaluate("one => one.replaceWith()")
     page.emulate_media(media="screen")
@@ -431,7 +411,7 @@ def test_a_handout_that_is_printed_during_a_class_moves_nothing(window: Open) ->
 @pytest.mark.slow  # a walk of 16 steps
 def test_a_handout_has_the_numbers_of_the_file(server: Server, new_page: Callable[..., Page]) -> None:
     """The page itself asks with this visitor's own numbers."""
-    page = new_page(fresh=True, bypass_csp=False)
+    page = new_page(bypass_csp=False)
     page.goto(f"{server.url}?walk=d31&step=d31-02")
     expect(page.locator(".asked-line")).to_contain_text("One swing takes")
     own = page.evaluate("oscillations.walks.walk.numbers")

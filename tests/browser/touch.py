@@ -8,7 +8,7 @@ from typing import Any
 
 from playwright.sync_api import Locator, Page
 
-from tests.browser.waiting import QUIET, passed
+from tests.browser.waiting import QUIET, passed, seek
 from tools.browsers.driven import DrivenWindow
 
 Point = tuple[float, float]
@@ -29,7 +29,9 @@ IN_PLOT = """name => {
 }"""
 
 
-def value(page: Page, name: str) -> Any:
+def value(page: Page | DrivenWindow, name: str) -> Any:
+    """The value of a parameter, once all messages are answered."""
+    page.wait_for_function(QUIET)
     return page.evaluate("name => oscillations.shown.settings[name].value", name)
 
 
@@ -55,7 +57,7 @@ def top(part: Locator) -> float:
 
 
 def stopped(page: Page, t: float = 0.3) -> None:
-    page.evaluate("t => { oscillations.clock.playing = false; oscillations.clock.seek(t) }", t)
+    seek(page, t)
     passed(page)
 
 

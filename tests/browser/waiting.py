@@ -105,6 +105,10 @@ DROP = """([name, text]) => {
 }"""
 
 
+MINE = 'title = "Mine"\n[[step]]\nid = "pull"\nfrom = "d31-03"\n'
+"""An instructor's own walk of one step."""
+
+
 def drop(page: Page, name: str, content: str) -> None:
     """Drop a text file of this name onto the paper."""
     page.evaluate(DROP, [name, content])

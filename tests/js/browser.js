@@ -8,34 +8,17 @@ class FakeElement extends EventTarget {
   dataset = {}
   style = {}
 
-  append(...children) {
-    this.children.push(...children)
-  }
-
-  prepend(...children) {
-    this.children.unshift(...children)
-  }
-
-  getBoundingClientRect() {
-    return {left: 0, right: 640, top: 0, bottom: 240}
-  }
-
+  append = (...children) => void this.children.push(...children)
+  prepend = (...children) => void this.children.unshift(...children)
+  getAttribute = name => this[name]
+  setAttribute = (name, value) => void (this[name] = value)
+  getBoundingClientRect = () => ({left: 0, right: 640, top: 0, bottom: 240})
+  getContext = () => ({})
   click() {}
   closest() {}
   focus() {}
-  getAttribute(name) {
-    return this[name]
-  }
-
-  setAttribute(name, value) {
-    this[name] = value
-  }
-
   setPointerCapture() {}
   remove() {}
-  getContext() {
-    return {}
-  }
 }
 
 const page = new EventTarget()
@@ -95,23 +78,16 @@ export class FakeServer {
   answers = () => {}
 
   constructor() {
-    globalThis.fetch = (address, how) => this.#fetch(address, how)
-  }
-
-  #fetch(address, how) {
-    const {signal} = how
-    const path = String(address).replace("http://lecture.example/class/", "")
-    this.asked.push({path, at: Date.now(), signal})
-    return new Promise((done, failed) => {
-      if (signal.aborted) failed(signal.reason)
-      signal.addEventListener("abort", () => failed(signal.reason))
-      try {
-        const answer = this.answers(path, signal, how)
+    globalThis.fetch = (address, how) =>
+      new Promise((done, failed) => {
+        const {signal} = how
+        const path = String(address).replace("http://lecture.example/class/", "")
+        this.asked.push({path, at: Date.now(), signal})
+        if (signal.aborted) failed(signal.reason)
+        signal.addEventListener("abort", () => failed(signal.reason))
+        const answer = this.answers(path, signal, how) // an exception rejects
         if (answer) done(answer)
-      } catch (reason) {
-        failed(reason)
-      }
-    })
+      })
   }
 
   /** The times at which a path was requested. @param {string} part */
@@ -140,19 +116,11 @@ export function numbers(seed = 1) {
 }
 
 /** A browser's storage, whose names are its own keys. */
-export function storage(setItem = store) {
-  const hidden = value => ({value, enumerable: false})
-  return Object.create(null, {
-    getItem: hidden(function (name) {
-      return this[name] ?? null
-    }),
-    setItem: hidden(setItem),
-    removeItem: hidden(function (name) {
-      delete this[name]
-    }),
+export function storage(setItem) {
+  const kept = Object.create({
+    getItem: name => kept[name] ?? null,
+    setItem: setItem ?? ((name, text) => void (kept[name] = String(text))),
+    removeItem: name => delete kept[name],
   })
-}
-
-function store(name, text) {
-  this[name] = String(text)
+  return kept
 }

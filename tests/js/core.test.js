@@ -61,10 +61,7 @@ const refuses = () => {
   throw new DOMException("Access is denied for this document.", "SecurityError")
 }
 
-for (const [name, get] of [
-  ["refused", refuses],
-  ["full", () => storage(refuses)],
-])
+for (const [name, get] of Object.entries({refused: refuses, full: () => storage(refuses)}))
   test(`a storage that is ${name} stores nothing, and this is reported once`, async () => {
     define("localStorage", {get})
     const {browserStorage: shelf} = await import(`../../static/core/storage.js?${name}`)
@@ -135,12 +132,7 @@ for (const [name, isBusy, act, expected] of [
   ["a change waits while more follow", false, () => (say(2, true), tick(349)), []],
   ["what followed is written at once", false, () => (say(2, true), say(3)), ["?m=3"]],
   ["only the last of many changes is written", true, () => (some(), tick(350)), ["?m=4"]],
-  [
-    "it is written once when the page is left",
-    true,
-    () => (some(), happens("pagehide"), happens("pagehide")),
-    ["?m=4"],
-  ],
+  ["it is written once when the page ends", true, () => (some(), happens("pagehide"), happens("pagehide")), ["?m=4"]],
   ["it is not written into another history entry", true, () => (some(), happens("popstate"), tick(1000)), []],
   ["it is written first", true, () => (some(), address.turn({address: "?m=5", entry: {}})), ["?m=4", "new ?m=5"]],
 ])

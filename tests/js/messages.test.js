@@ -16,9 +16,9 @@ beforeEach(() => {
 afterEach(() => mock.timers.reset())
 
 /** @param {boolean} isNew for a new session */
-function made(isNew, unpack = async packet => packet, handle = () => {}) {
+function made(isNew, handle = () => {}) {
   const [fail, report] = [failed, reported].map(list => error => list.push(error.message))
-  const messages = new Messages(unpack, handle, fail, report)
+  const messages = new Messages(async packet => packet, handle, fail, report)
   messages.overdue = () => void lost++
   messages.state = STATE
   messages.greeting = () => [{type: "walk", name: "own", text: ""}]
@@ -55,7 +55,7 @@ test("an exception in a message handler does not end the connection, and the nex
   const throws = () => {
     throw new Error("!")
   }
-  const messages = made(false, async packet => packet, throws)
+  const messages = made(false, throws)
   for (const name of ["first", "second"]) messages.send({type: "act", name})
   for (const count of [1, 2]) {
     await answer(messages, {type: "shown", state: STATE})
@@ -81,12 +81,7 @@ test("when a page becomes visible again, one message without an answer ends the 
   assert.equal(messages.changes, 0)
 })
 
-for (const [type, patience] of [
-  ["act", 5000],
-  ["about", 20000],
-  ["csv", 20000],
-  ["rows", 20000],
-])
+for (const [type, patience] of Object.entries({act: 5000, about: 20000, csv: 20000, rows: 20000}))
   // prettier-ignore
   test(`a message ${type} is repeated after ${patience} ms; then the connection counts as lost`, () => {
     made(false).send({type})
@@ -99,11 +94,7 @@ for (const [type, patience] of [
 
 test("an answer that comes again or late is ignored", async () => {
   const heard = []
-  const messages = made(
-    false,
-    async packet => packet,
-    ({answer}) => void heard.push(answer),
-  )
+  const messages = made(false, ({answer}) => void heard.push(answer))
   for (const name of ["first", "second"]) messages.send({type: "act", name})
   for (const number of [1, 1, 2, 1, 2]) {
     messages.receive({answer: number, type: "kept"})

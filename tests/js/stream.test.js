@@ -124,18 +124,13 @@ test("a hidden page has no stream and sends no request until it is visible, then
 })
 
 const missing = refusing(404, "Not there.")
+const restored = (...how) => (Date.now() < 25000 ? missing() : served(...how))
 for (const [name, answers, more, told, refused] of [
   ["a full server never ends it", refusing(503, "Later."), {}, "Later.", []],
   ["a missing class ends it after half a minute", missing, {}, "Not there.", ["Not there. 33300"]],
   ["a class that has ended ends it at once", refusing(410, "Over."), {}, undefined, ["Over. 0"]],
   ["a missing class ends it at once on the instructor's page", missing, {doubt: 0}, undefined, ["Not there. 0"]],
-  [
-    "a class that is restored meanwhile does not",
-    (...how) => (Date.now() < 25000 ? missing() : served(...how)),
-    {},
-    "Not there.",
-    [],
-  ],
+  ["a class that is restored meanwhile does not", restored, {}, "Not there.", []],
 ])
   test(`refusals with a reason: ${name}`, async () => {
     server.answers = answers
