@@ -14,9 +14,10 @@ import mpmath as mp
 import numpy as np
 import pytest
 
+from components.chain import of_scene
 from components.scenes import SCENES
 from components.scenes.modes.hunt import FOUND
-from physics.coupled import TwoMassChain, free_motion
+from physics.coupled import TwoMassChain, free_modes, free_motion
 from physics.damped import DampedOscillator
 from physics.forced import forced_motion
 from tests.grids import sample
@@ -158,21 +159,13 @@ def starts(s: Any) -> tuple[list[float], list[float]]:
 
 
 def sizes(s: Any) -> Any:
-    """The amplitudes of both modes (2, 2 masses), by mass-weighted eigenvectors."""
-    root = np.sqrt([s.m1, s.m2])
-    K = np.array([[s.k1 + s.k2, -s.k2], [-s.k2, s.k2]]) / np.outer(root, root)
-    squared, vectors = np.linalg.eigh(K)
-    x, v = (np.array(part) * root for part in starts(s))
-    omega = np.sqrt(np.maximum(squared, 0.0))
-    seen = omega > 1e-6 * omega[1]
-    rates = np.divide(vectors.T @ v, omega, out=np.zeros(2), where=seen)
-    return np.abs(vectors.T * np.where(seen, np.hypot(vectors.T @ x, rates), 0.0)[:, None] / root)
+    """The amplitudes of both modes (2, 2 masses)."""
+    return np.abs(free_modes(of_scene(s), *starts(s)).amplitude)
 
 
 def beats(s: Any, form: str, text: str) -> None:
     slow, fast = (float(mp.sqrt(square)) for square in squares(s))
-    chain = TwoMassChain(m1=s.m1, m2=s.m2, k1=s.k1, k2=s.k2)
-    moved = free_motion(chain, *starts(s), np.linspace(0.0, 7.0, 9)).v
+    moved = free_motion(of_scene(s), *starts(s), np.linspace(0.0, 7.0, 9)).v
     assert (form == "rest") == (not np.any(moved)) == ("Nothing moves" in text)
     assert (form == "both") == ("Beat period" in text) and (form != "drift" or not (s.k1 and s.k2))
     if form == "both":
@@ -289,11 +282,11 @@ def steady(s: Any) -> list[Any] | None:
 
 
 def particular_solution(s: Any, form: str, text: str) -> None:
-    chain, told = TwoMassChain(m1=s.m1, m2=s.m2, k1=s.k1, k2=s.k2), s.shown.values
+    told = s.shown.values
     assert (form == "braked") == bool((s.c1 or s.c2) and s.F_0 and s.omega) or form == "rest"
     if s.c1 or s.c2:
         return
-    v = forced_motion(chain, s.F_0, s.omega, np.linspace(0, 7, 9), *starts(s)).v
+    v = forced_motion(of_scene(s), s.F_0, s.omega, np.linspace(0, 7, 9), *starts(s)).v
     assert (form == "rest") == (not v.any()) == ("Nothing moves" in text)
     assert ("No drive" in text) == (not s.F_0 * s.omega and form != "rest")
     assert ("is a wall for" in text) == (form == "finite")
@@ -344,8 +337,7 @@ def verdict_on_absorber(s: Any, form: str, text: str) -> None:
 def largest(s: Any, i: int, t: float) -> float:
     """The largest swing of mass i (0, 1) around the time t, from rest: over twenty periods of the drive before it."""
     times = t - 2 * math.pi / s.omega * np.linspace(0, 20, 801)
-    chain = TwoMassChain(m1=s.m1, m2=s.m2, k1=s.k1, k2=s.k2)
-    return float(np.abs(forced_motion(chain, s.F_0, s.omega, times[times >= 0]).x[i]).max())
+    return float(np.abs(forced_motion(of_scene(s), s.F_0, s.omega, times[times >= 0]).x[i]).max())
 
 
 def check_growth(s: Any, form: str, near: float) -> None:
