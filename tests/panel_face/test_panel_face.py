@@ -182,13 +182,11 @@ def test_a_dot_can_be_dragged(slug: str, view: str, part: str, name: str) -> Non
 ])  # fmt: skip
 def test_the_line_of_a_value_can_be_dragged(slug: str, view: str, plot: str, name: str) -> None:
     face = first_face(slug)
-    scene = face.scene
-    scene.view = view
+    face.scene.view, before = view, face.scene.values[name]
     (line,) = (line for one, line in face.figures[plot].lines.items() if getattr(one, "parameter", "") == name)
-    before = scene.values[name]
     assert line.editable and line.visible
     line.location = line.location + 0.1
-    assert not face.problems and scene.values[name] != before
+    assert not face.problems and face.scene.values[name] != before
 
 
 def test_all_faces_follow_the_scene() -> None:
