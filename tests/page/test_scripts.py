@@ -1,19 +1,25 @@
-"""The results of the scripts: numbers as Python writes them, and descriptions of curves for screen readers."""
+"""The scripts: their types are those of components/language, as in docs/protocol.md; numbers as Python writes them; and
+descriptions of curves for screen readers."""
 
 from __future__ import annotations
 
 import json
 import math
+import pkgutil
+from pathlib import Path
 from typing import Any
 
 import msgspec
 import pytest
 
+import components.language
 from components.language.signals import Sine, Sines
 from components.quantities.axes import Axis
 from components.state.encoding import COARSE
 from tests.page.scripts import call, each
 from tests.serving.server import ROOT
+from tools import page_types
+from tools.protocol import FILES
 
 TEXTS = json.loads((ROOT / "tests" / "reference" / "number_texts.json").read_text(encoding="utf-8"))
 
@@ -90,3 +96,12 @@ def test_lines_through_the_frame_gaps_and_poles_are_described() -> None:
     first, second = course([[(0.0, 0.1), (4.9, 9.0)], [(5.1, -9.0), (10.0, -0.1)]]).split("; ")
     assert " it rises from " in first and first.endswith(" to outside the frame")
     assert " it rises from outside the frame to " in second
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
+def test_what_is_written_is_current(path: Path) -> None:
+    assert path.read_text(encoding="utf-8") == FILES[path](), "make protocol writes it anew"
+
+
+def test_every_module_is_written_of() -> None:
+    assert {module.name for module in pkgutil.iter_modules(components.language.__path__)} == set(page_types.MODULES)
