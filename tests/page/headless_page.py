@@ -8,7 +8,6 @@ import msgspec
 
 from components.language.messages import AnyServerMessage
 from components.language.picture import PagePicture
-from components.layout.controls import panel
 from components.scene import Picture, Scene
 from components.scene.face import SceneFace
 from components.scenes import SCENES
@@ -40,19 +39,6 @@ def apply_message(scene: SceneFace, data: object) -> Errors:
     except ValueError as error:
         return refusal(scene.value, said, error).errors
     return {}
-
-
-def take_preset(scene: SceneFace, label: str) -> Errors:
-    """Press the button of a preset: its values go into the state of the page, which is opened."""
-    page = Page(scene)
-    buttons = panel(scene.param.objects("existing"), (), presets=scene.scene_kind.presets).presets
-    (sets,) = (button.sets for button in buttons if button.label == label)
-    state = page.now.state
-    wanted = msgspec.structs.replace(state, parameters={**state.parameters, **sets}, frame=None)
-    errors = Errors(page.send({"type": "open", "state": msgspec.to_builtins(wanted), "number": 1})["errors"])
-    if not errors and page.scene.key != scene.value.key:
-        scene.show(page.scene)
-    return errors
 
 
 def picture_wire(scene: Scene | SceneFace | PageState) -> dict[str, Any]:

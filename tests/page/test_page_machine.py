@@ -26,7 +26,7 @@ from msgspec.structs import replace
 
 from app import visited
 from components.language.state import State
-from components.layout.choices import options, stated, word
+from components.layout.choices import options, word
 from components.layout.controls import Choice
 from components.quantities.refusals import SORRY
 from components.scene import Scene
@@ -34,7 +34,7 @@ from components.scenes import SCENES
 from components.state.compared import HIDDEN
 from components.state.covers import NEXT, PLOT, VALUE
 from components.state.page_state import PageState
-from components.state.scene_sheet import plots
+from components.state.scene_sheet import plots, scene_sheet
 from components.walks.cards import walk_sheet
 from components.walks.loading import load_walks
 from tests.attack.budgets import PICTURE, counted
@@ -181,10 +181,9 @@ class Visit(RuleBasedStateMachine):
 
     @rule(data=st.data())
     def takes_a_preset(self, data: st.DataObject) -> None:
-        label = data.draw(st.sampled_from(list(self.scene.presets)))
-        sets = {name: stated(value) for name, value in self.scene.preset_all(label).items()}
-        told = self.open(parameters={**self.state.parameters, **sets}, frame=None)
-        assert not told["errors"] and self.page.scene.preset() == label
+        button = data.draw(st.sampled_from(scene_sheet(self.scene).panel.presets))
+        told = self.open(parameters={**self.state.parameters, **button.sets}, frame=None)
+        assert not told["errors"] and self.page.scene.preset() == button.label
 
     @rule()
     def holds_or_releases(self) -> None:

@@ -84,26 +84,19 @@ def columns(scene: Scene, source: str = "time") -> dict[str, np.ndarray]:
 
 
 def check_picture(scene: Scene | PageState) -> None:
-    """All numbers of the picture, as Python has them and as they are sent, are finite, and its texts can be read."""
+    """All numbers of the picture, as Python has them and as they are sent, are finite, and its texts can be read.
+
+    Columns and samples are sent as integers. Any other number that is not finite would be null, which `picture_wire`
+    refuses.
+    """
     for source, data in numbers_of(scene.shown).items():
         for name, column in data.items():
             assert np.all(np.isfinite(column)), f"{source}.{name}"
     message = picture_wire(scene)
-    for source, columns in message["columns"].items():
-        for name, column in columns.items():
-            assert np.all(np.isfinite(column)), f"{source}.{name} as sent"
-    for name, axis in message["axes"].items():
-        assert math.isfinite(axis["start"]) and math.isfinite(axis["end"]) and axis["start"] != axis["end"], (
-            name,
-            axis,
-        )
-        assert all(map(math.isfinite, axis["ticks"])), (name, axis)
-    assert all(map(math.isfinite, message["scalars"].values())), message["scalars"]
-    check_numbers(message["signals"])
     for name, text in {**message["values"], **{f"note {i}": n for i, n in enumerate(message["notes"])}}.items():
         assert not LONG_NUMBER.search(text) and not HYPHEN.search(text), f"{name}: {text}"
     for axis in message["axes"].values():
-        assert not any(LONG_NUMBER.search(label) for label in axis["labels"]), axis
+        assert axis["start"] != axis["end"] and not any(LONG_NUMBER.search(label) for label in axis["labels"]), axis
 
 
 def numbers_of(picture: Picture) -> dict[str, Columns]:
@@ -114,18 +107,6 @@ def numbers_of(picture: Picture) -> dict[str, Columns]:
     except ValueError as reason:
         assert "doubles" in str(reason) or "more digits of arithmetic" in str(reason), reason
         return picture.columns
-
-
-def check_numbers(value: Any) -> None:
-    """Every number in nested lists and dicts is finite."""
-    if isinstance(value, dict):
-        for part in value.values():
-            check_numbers(part)
-    elif isinstance(value, (list, tuple)):
-        for part in value:
-            check_numbers(part)
-    elif isinstance(value, float):
-        assert math.isfinite(value), value
 
 
 def as_arguments(query: str) -> dict[str, list[bytes]]:

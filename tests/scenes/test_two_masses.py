@@ -31,7 +31,7 @@ from physics.modal_start import amplitudes_and_phases, modes_given, start_given
 from physics.transient import DampedModes
 from tests.grids import tries
 from tests.page.hand import Hand, grabs
-from tests.page.headless_page import Page, apply_message, change, say, set_values, take_preset
+from tests.page.headless_page import Page, apply_message, change, say, set_values
 from tests.page.scripts import call
 from tests.scenes.checks import by_link, check_picture
 
@@ -93,7 +93,7 @@ def test_what_swings_against_the_push_is_dashed(values: dict[str, float], shown:
 def test_hardly_an_ulp_from_a_natural_frequency_is_resonance(label: str) -> None:
     """The frequency is between two doubles; only these two are at most an ulp away."""
     scene, seen = Forced(), []
-    take_preset(scene, label)
+    scene.set(SCENES["forced"].preset_all(label))
     natural = scene.omega
     for omega in (natural, math.nextafter(natural, 0.0), math.nextafter(natural, math.inf)):
         scene.set({"omega": omega})
@@ -188,7 +188,7 @@ def test_after_the_time_that_is_told_hardly_anything_is_left_of_the_transient(va
 def test_goals_can_be_met_from_the_lightest_mass_on(label: str) -> None:
     """From the mass at which a tuned absorber's resonances are 20 % away: the roots of D at 0.8 and 1.2 omega."""
     scene = Absorber()
-    assert take_preset(scene, label) == {}
+    scene.set(SCENES["absorber"].preset_all(label))
     omega = scene.omega
     mass = max((250e3 - 100.0 * (s * omega) ** 2) * (1 - s**2) / (s**2 * omega**2) for s in (0.8, 1.2))
     found = f"{mass * (1 + 1e-3):.4g} kg"
