@@ -12,33 +12,16 @@ from components.scene import Picture, Scene
 from components.scene.face import SceneFace
 from components.scenes import SCENES
 from components.session.session import Session
-from components.state.commands import Command, Errors, RefusalError, asked_values, refusal
 from components.state.encoding import view_of
 from components.state.page_state import PageState, fitted
 from components.state.scene_sheet import column_axes, preset_dictionary, sheet_address
-from components.state.wire import Packet, as_json, decoded, packed
+from components.state.wire import Packet, as_json, packed
 from tests.page import scripts
 
 
 def value_of(scene: Scene | SceneFace) -> Scene:
     """Return the immutable scene that a face shows, or the scene itself."""
     return scene.value if isinstance(scene, SceneFace) else scene
-
-
-def apply_message(scene: SceneFace, data: object) -> Errors:
-    """Apply a message to the face of a scene and return its refusals; key "message" if the message is invalid."""
-    try:
-        said = decoded(data)
-    except ValueError as error:
-        return {"message": str(error)}
-    assert isinstance(said, Command)
-    try:
-        scene.set(asked_values(scene.value, said))
-    except RefusalError as refused:
-        return refused.errors
-    except ValueError as error:
-        return refusal(scene.value, said, error).errors
-    return {}
 
 
 def picture_wire(scene: Scene | SceneFace | PageState) -> dict[str, Any]:

@@ -17,7 +17,7 @@ from physics.coupled import TwoMassChain
 from physics.damped_chain import NEAR
 from physics.root_paths import RootPath, Varied
 from tests.grids import tries
-from tests.page.headless_page import apply_message
+from tests.page.headless_page import Page, say
 from tests.physics.braked_cases import Case, cases, eigenvectors
 from tests.scenes.sentences import number, sentences, visible_text
 
@@ -29,15 +29,15 @@ PLACES = ("slow", "fast", "third", "fourth")
 def test_as_a_mass_wants_takes_its_force_away() -> None:
     """With equal masses and springs the flag sets the double next to the golden ratio, and the button its shape."""
     for i in (1, 2):
-        scene = ModesScene(view="guess")
-        assert apply_message(scene, {"type": "act", "name": f"row{i}"}) == {}
-        assert scene.shown.values[f"add{i}_N"] == "+0.00 N" != scene.shown.values[f"add{3 - i}_N"]
+        told = say(Page(ModesScene(view="guess")), "act", name=f"row{i}")["view"]["values"]
+        assert told[f"add{i}_N"] == "+0.00 N" != told[f"add{3 - i}_N"]
     scene = ModesScene(view="guess", **ModesScene.presets["All equal"])
     golden = (math.sqrt(5) - 1) / 2
     assert scene.shown.scalars["w_slow_si"] == pytest.approx(golden, rel=1e-15)
     scene.omega = scene.shown.scalars["w_slow_si"]
-    assert apply_message(scene, {"type": "act", "name": "row1"}) == {}
-    assert scene.ratio == pytest.approx(1 / golden, rel=1e-14) and scene.shown.values["add2_N"] == "+0.00 N"
+    told = say(Page(scene), "act", name="row1")
+    assert told["state"]["parameters"]["ratio"] == pytest.approx(1 / golden, rel=1e-14)
+    assert told["view"]["values"]["add2_N"] == "+0.00 N"
 
 
 def crosses(scene: ModesScene) -> list[complex]:

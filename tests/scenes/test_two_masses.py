@@ -31,7 +31,7 @@ from physics.modal_start import amplitudes_and_phases, modes_given, start_given
 from physics.transient import DampedModes
 from tests.grids import tries
 from tests.page.hand import Hand, grabs
-from tests.page.headless_page import Page, apply_message, change, say, set_values
+from tests.page.headless_page import Page, change, say, set_values
 from tests.page.scripts import call
 from tests.scenes.checks import by_link, check_picture
 
@@ -100,7 +100,7 @@ def test_hardly_an_ulp_from_a_natural_frequency_is_resonance(label: str) -> None
         seen.append(scene.shown.forms["steady"])
         if seen[-1] == "resonance":
             assert (scene.shown.values["D"], scene.shown.values["Xp1"]) == ("0.00", "+∞")
-            (error,) = apply_message(scene, {"type": "act", "name": "steady"}).values()
+            (error,) = say(Page(scene), "act", name="steady")["errors"].values()
             assert "is at a natural frequency, where no particular solution exists: another" in error
     assert seen[0] == "resonance" and seen.count("resonance") == 2
 
@@ -225,11 +225,12 @@ def test_a_link_and_a_state_carry_the_lightest_solution_which_is_looked_at_again
 
 
 def test_den_hartogs_optimum() -> None:
-    scene = Absorber(damping="added")
-    assert apply_message(scene, {"type": "act", "name": "optimum"}) == {}
+    page = Page(Absorber(damping="added"))
+    assert say(page, "act", name="optimum")["errors"] == {}
+    scene: Any = page.scene
     best = den_hartog(100.0, 250e3, 16.0)
     assert (scene.k2, scene.c) == (pytest.approx(best.k2, rel=5e-4), pytest.approx(best.c, rel=5e-4))
-    assert scene.sources["sweep"].data["swing"].max() == pytest.approx(best.height * 500.0 / 250e3, rel=5e-3)
+    assert scene.shown.sources["sweep"]["swing"].max() == pytest.approx(best.height * 500.0 / 250e3, rel=5e-3)
     assert scene.shown.values["over_height"] == "0.27 %" and scene.shown.forms["why"] == "damped"
 
 
