@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import cache
 from typing import Any
 
@@ -52,10 +53,14 @@ def links(scene: type[Scene] | None = None, decades: float = DECADES) -> SearchS
     """
     if scene is None:
         return st.sampled_from(list(SCENES.values())).flatmap(lambda one: links(one, decades))
-    others = st.none() | values(scene, decades).map(lambda given: _held(scene, given))
+    known = holdable(scene).keys() - {WINDOW}
+    others = st.none() | values(scene, decades).map(
+        lambda given: {name: given[name] for name in given if name in known}
+    )
     parts = {"frame": st.none() | frames(scene), "covered": covers(scene), "held": others}
     return st.builds(Link, st.just(scene.slug), values(scene, decades), **parts).flatmap(
-        lambda link: others.map(lambda before: _with_before(link, before))
+        # There is a state before the change only on a page that hides the next change.
+        lambda link: others.map(lambda before: replace(link, before=before if NEXT in link.covered else None))
     )
 
 
@@ -179,17 +184,6 @@ def _groups(scene: type[Scene]) -> list[str]:
     """Return the groups of curves that can be switched off."""
     found = {drawn.group for plot in plots(scene) for drawn in (*plot.curves, *plot.regions) if drawn.group}
     return sorted(found | set(scene.param[HIDDEN].default)) or [""]
-
-
-def _held(scene: type[Scene], given: Values) -> Values:
-    return {name: one for name, one in given.items() if name in holdable(scene) and name != WINDOW}
-
-
-def _with_before(link: Link, before: Values | None) -> Link:
-    """Add a state before the change, which exists only on a page that hides the next change."""
-    return Link(
-        link.slug, link.values, [], link.frame, link.covered, link.held, before if NEXT in link.covered else None
-    )
 
 
 def _is_possible(parameter: AnyParameter, one: Any) -> bool:

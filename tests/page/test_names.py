@@ -56,11 +56,6 @@ def every(slug: str) -> list[Scene]:
     return list(cases(SCENES[slug]))
 
 
-def _spoken(text: str) -> set[str]:
-    """Return the numbers in the texts that are read aloud."""
-    return set(re.findall(r"\{(\w+)\}", text))
-
-
 @scenes
 def test_every_curve_has_its_numbers_and_every_block_is_visible(slug: str) -> None:
     """Each is drawn in some picture; a wrong source or form name never is. Bands appear for fast motions."""
@@ -136,5 +131,5 @@ def test_names_in_a_sheet_are_those_of_its_scene(slug: str) -> None:
         assert {*one.shown.spans, *one.units()} <= scene.quantities()
         assert one.derived() <= scene.parameters().keys()
     for text in scene_sheet(scene).spoken.values():
-        wanted = _spoken(text)
+        wanted = re.findall(r"\{(\w+)\}", text)
         assert wanted and any(all(one.shown.values.get(name) for name in wanted) for one in every(slug)), text

@@ -139,10 +139,5 @@ def check_statement(case: Case, text: str) -> None:
     if "outlasts" in text:
         slowest = min(true, key=lambda root: abs(root[0]))
         assert (slowest[2] / slowest[1]).real < 0
-    assert ("have become one" in text) == (swinging == 2 and _gap(case) < NEAR)
-
-
-def _gap(case: Case) -> float:
-    """The relative distance of the two roots that swing."""
-    one, two = (s for s, _ in upper(case))
-    return abs(one - two) / abs(one)
+    roots = [s for s, _ in upper(case)]
+    assert ("have become one" in text) == (swinging == 2 and abs(roots[0] - roots[1]) < NEAR * abs(roots[0]))

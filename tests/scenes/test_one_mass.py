@@ -11,7 +11,6 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from components.scene import Scene
 from components.scenes import SCENES
 from components.scenes.analogues import Analogues
 from components.scenes.driven.case import LEFT, RIGHT
@@ -85,11 +84,6 @@ def test_only_the_chosen_systems_controls_are_visible(slug: str) -> None:
     assert sorted(itertools.chain(*shown)) == sorted(["system", *own])
 
 
-def corners(scene: Scene) -> dict[str, float]:
-    """The numbers of the polygon of the forces."""
-    return {name.removeprefix("polygon_"): one for name, one in scene.shown.scalars.items() if "polygon" in name}
-
-
 def steady(scene: Any) -> complex:
     """X, from the linear equation."""
     size, w = getattr(scene, SIZES[scene.kind]), scene.omega
@@ -107,7 +101,8 @@ def steady(scene: Any) -> complex:
 def test_its_polygon_closes_on_the_push(kind: str, m: float, r: float, zeta: float) -> None:
     """In units of the push, or of k Y, with X up, of the unbalance the acceleration; within its stage."""
     scene = DRIVEN(kind=kind, m=m, zeta=zeta, omega=r * math.sqrt(39.48 / m))
-    at, M = corners(scene), scene.shown.axes["M"]
+    at = {name.removeprefix("polygon_"): one for name, one in scene.shown.scalars.items() if "polygon" in name}
+    M = scene.shown.axes["M"]
     end = complex(at["end"], -at["across"])
     assert -LEFT <= at["across"] * at["scale"] / M.place(M.end) <= RIGHT
     if kind == "base":

@@ -57,12 +57,11 @@ def texts(scene: Any) -> dict[str, str]:
     shown = scene.shown
     named = {**shown.values, **{f"note {i}": note for i, note in enumerate(shown.notes)}}
     plain = {name: re.sub(r"(·| )?10[⁻⁰¹²³⁴-⁹]+|\s", "", text) for name, text in named.items()}
-    digits = {name: re.sub(r"\d[\d.]*", lambda one: significant(one[0]), text) for name, text in plain.items()}
+    digits = {
+        name: re.sub(r"\d[\d.]*", lambda one: one[0].replace(".", "").strip("0")[:3], text)
+        for name, text in plain.items()
+    }
     return digits | {f"form {name}": text for name, text in shown.forms.items()}
-
-
-def significant(number: str) -> str:
-    return number.replace(".", "").strip("0")[:3]
 
 
 def numbers(scene: Any) -> dict[str, np.ndarray]:

@@ -151,11 +151,6 @@ def ratio(s: Any, name: str, label: str) -> float:
     return value(s, name) / value(taken(s.slug, label), name)
 
 
-def swing_at_end(s: Any) -> float:
-    """The largest displacement of a mass at the end of the window."""
-    return max(abs(column(s, f"x{p}")[-1]) for p in range(1, int(s.N) + 1))
-
-
 WORDS: list[tuple[str, str, Callable[[Any], Any]]] = [
     ("oscillator", "Heavy", lambda s: ratio(s, "tau", "Pulled") == pytest.approx(2)),
     ("oscillator", "Stiff", lambda s: ratio(s, "tau", "Pulled") == pytest.approx(0.5, rel=0.01)),
@@ -184,7 +179,7 @@ WORDS: list[tuple[str, str, Callable[[Any], Any]]] = [
     ("absorber", "Above", lambda s: s.omega > math.sqrt(s.k1 / s.m1)),
     ("chain", "Pulse", lambda s: echo(s) < -0.2),
     ("chain", "Free end", lambda s: echo(s) > 0.2),
-    ("chain", "Broad", lambda s: swing_at_end(s) > 0.39),
+    ("chain", "Broad", lambda s: max(abs(column(s, f"x{p}")[-1]) for p in range(1, int(s.N) + 1)) > 0.39),
     ("chain", "Plucked", lambda s: column(s, "silent_j", "silent").tolist() == [3.0, 6.0]
      and np.abs(s.of().drawn.energy[[2, 5]]).max() <= 1e-30),
     ("chain", "One mass", lambda s: s.of().drawn.energy[25:].sum() > 0.5 * s.of().drawn.energy.sum()),

@@ -27,10 +27,6 @@ TOLD, CLOSED = 1e-6, 1e-9
 """Error of a motion sent as a table of one period, and of one sent as a formula."""
 
 
-def traced(picture: Picture) -> dict[tuple[str, str], np.ndarray]:
-    return {(source, name): one.columns[name] for source, one in picture.traces.items() for name in one.names}
-
-
 def axis_of(scene: type[Scene], picture: Picture, source: str, name: str) -> Axis:
     """Return the axis of a curve. For a chain's masses, which are drawn by colour, it is the axis of the signal."""
     return picture.axes[column_axes(scene)[source][name] if source in column_axes(scene) else "y"]
@@ -57,7 +53,8 @@ def check_drawn(scene: Scene) -> int:
     """Compare each curve that the browser draws with the physics, and return how many there are."""
     shown, wire = scene.shown, picture_wire(scene)["columns"]
     by_table = any(isinstance(one, Sampled) for one in shown.signals.values())
-    near, curves = TOLD if by_table else NEAR.get(scene.slug, CLOSED), traced(shown)
+    near = TOLD if by_table else NEAR.get(scene.slug, CLOSED)
+    curves = {(source, name): one.columns[name] for source, one in shown.traces.items() for name in one.names}
     for (source, name), exact in curves.items():
         axis = axis_of(type(scene), shown, source, name)
         off = np.abs(wire[source][name] - axis.places(exact)).max() / abs(axis.place(axis.end) - axis.place(axis.start))
