@@ -27,8 +27,8 @@ ENDS = ("fixed-fixed", "fixed-free", "free-free")
 starts = st.lists(st.floats(-1, 1), min_size=24, max_size=24)
 
 
-def error(value: float, true: str) -> float:
-    return float(abs(mp.mpf(float(value)) - mp.mpf(true)))
+def error(value: float, true: str) -> Any:
+    return abs(mp.mpf(float(value)) - mp.mpf(true))
 
 
 @each([case for case in reference("beyond", "chain") if case["ends"] in ENDS])
@@ -76,8 +76,7 @@ def test_over_all_decades_the_modes_have_all_the_energy_and_start_from_the_start
 
 
 GOOD = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
-NO_WALL = TwoMassChain(m1=2.0, m2=1.0, k1=0.0, k2=2.0)
-LOOSE = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=0.0)
+NO_WALL, LOOSE = replace(GOOD, k1=0.0), replace(GOOD, k2=0.0)
 
 usual = log_uniform(-10, 10)
 usual_chains = st.builds(TwoMassChain, m1=usual, m2=usual, k1=usual, k2=usual)
@@ -101,8 +100,7 @@ def test_determinant_curve_keeps_its_digits_beside_a_root(chain: TwoMassChain, s
 @given(usual_chains, st.sampled_from(PARAMETERS))
 def test_sweep_is_the_modes_of_each_chain(chain: TwoMassChain, name: str) -> None:
     """The frequencies with one mass held are between the modes, so the modes never meet: an avoided crossing."""
-    values = np.geomspace(1e-3, 1e3, 41)
-    run = sweep(chain, name, values)
+    run = sweep(chain, name, values := np.geomspace(1e-3, 1e3, 41))
     assert np.all(run.omega[0] <= run.held.min(axis=0) * (1 + 1e-15))
     assert np.all(run.omega[1] >= run.held.max(axis=0) * (1 - 1e-15))
     assert np.all(run.omega[0] < run.omega[1])
@@ -265,8 +263,8 @@ def test_lags_in_limits(numbers: dict[str, float], omega: list[float], lags: lis
 
 
 def test_at_a_pole_a_mass_without_a_link_stays_at_rest() -> None:
-    for k2 in (0.0, 2.0):
-        chain = DampedChain(m1=2.0, m2=1.0, k1=4.0 if k2 else 8.0, k2=k2)
+    for k1, k2 in ((8.0, 0.0), (4.0, 2.0)):
+        chain = DampedChain(m1=2.0, m2=1.0, k1=k1, k2=k2)
         X = bode_curves(chain, [2.0], 3.0).X
         np.testing.assert_array_equal(X, chain.response([2.0], 3.0))
         assert np.isinf(X[0]) and (X[1] == 0.0) == (k2 == 0.0)

@@ -25,7 +25,6 @@ from physics.sampling import drawable
 from tests.grids import sample, tries
 from tests.physics.truth import U, each, each_magnitude, log_uniform, reference, ulps
 
-TINY = 2.0**-1074
 LARGEST = sys.float_info.max
 PRECISION = 2600  # bits: omega t may reach 2^2600
 SIGNS = st.sampled_from([-1.0, 0.0, 1.0])
@@ -60,7 +59,7 @@ def test_motion_stays_within_4_u_of_its_amplitudes(magnitudes, data):
             assert abs(true[name][0]) >= LARGEST * (1 - 8 * U)
             return
         for name, (value, size) in true.items():
-            least = TINY if size < 1e-291 else 0
+            least = 2.0**-1074 if size < 1e-291 else 0
             assert abs(mp.mpf(getattr(motion, name)[0]) - value) <= 4 * U * size + least, name
 
 
