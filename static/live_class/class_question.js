@@ -234,8 +234,8 @@ export class ClassQuestion {
   }
 
   /**
-   * Shows the lesson with the counts of the class, without links to try, at the answer that counts: what was typed while
-   * the lesson was on its way does not. @param {Card} card @param {page.Lesson} lesson
+   * Shows the lesson with the counts of the class, without links to try, at the answer that counts: what was typed
+   * while the lesson was on its way does not. @param {Card} card @param {page.Lesson} lesson
    */
   #show(card, lesson) {
     if (this.given) card.question.restore(this.given)
