@@ -12,11 +12,9 @@ from pathlib import Path
 import pytest
 
 from tests.serving.server import ROOT
+from tools.trials import copied
 
 TUTORIAL = ROOT / "docs" / "adding-a-scene.md"
-FOLDERS = ("components", "physics", "static", "tests", "docs", "tools")
-TYPES = ".mypy_cache"
-"""Cache of the linters; mypy then checks only the new files."""
 REGISTRY = "components/scenes/__init__.py"
 
 
@@ -37,11 +35,9 @@ def code() -> dict[str, str]:
 @pytest.fixture(scope="module")
 def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A copy of the project, extended as the page says."""
-    folder = tmp_path_factory.mktemp("project")
-    for name in (*FOLDERS, *(name for name in (TYPES,) if (ROOT / name).exists())):
-        shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__", "bench"))
-    for name in ("app.py", "reading.py", "pyproject.toml", "README.md"):
-        shutil.copy(ROOT / name, folder)
+    folder = copied(ROOT, tmp_path_factory.mktemp("copy") / "project")
+    if (ROOT / ".mypy_cache").exists():  # mypy then checks only the new files
+        shutil.copytree(ROOT / ".mypy_cache", folder / ".mypy_cache")
     for name, text in code().items():
         file = folder / name
         file.parent.mkdir(exist_ok=True)
@@ -58,9 +54,7 @@ def registered(line: str) -> str:
 
 def run(project: Path, *command: str) -> str:
     every = {**os.environ, "GRIDS": "whole"}
-    done = subprocess.run(
-        [sys.executable, "-m", *command], cwd=project, env=every, capture_output=True, text=True, check=False
-    )
+    done = subprocess.run([sys.executable, "-m", *command], cwd=project, env=every, capture_output=True, text=True)
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
 
@@ -71,8 +65,7 @@ def test_the_scene_is_typed_and_passes_its_own_tests_and_those_of_every_scene(pr
     for command in (["ruff", "check"], ["ruff", "format", "--check"], ["mypy"]):
         run(project, *command, "components/scenes/friction")
     run(project, "tools.house_rules")
-    every = ("friction", "every_scene", "presets", "grabs", "traces")
-    files = [f"tests/scenes/test_{name}.py" for name in every]
+    files = [f"tests/scenes/test_{name}.py" for name in ("friction", "every_scene", "presets", "grabs", "traces")]
     files += [f"tests/page/test_{name}.py" for name in ("names", "covers", "opening", "frames")]
     told = run(project, "pytest", "-q", "-p", "no:cacheprovider", "-k", "friction", *files)
     passed = re.search(r"(\d+) passed", told)
