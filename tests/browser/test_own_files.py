@@ -270,7 +270,7 @@ def test_a_dropped_file_is_fitted_and_the_model_passes_through_it(page: Page, op
 
 
 def test_every_kind_of_file_is_read_or_refused_in_a_sentence(measured: Page) -> None:
-    """Text without units, which are asked for; a zip file with its longest table first."""
+    """Text without units, which are asked for; a zip file with its longest table first. A fit can be cancelled."""
     status, name = measured.locator(".measured-status"), measured.locator(".measured-name")
     chosen(measured, "Choose a file", "letter.txt", b"Dear student,\nno table.\n")
     expect(status).to_contain_text("letter.txt: Line 1: “Dear student,” has no two numbers")
@@ -294,20 +294,18 @@ def test_every_kind_of_file_is_read_or_refused_in_a_sentence(measured: Page) -> 
     measured.get_by_label("Table", exact=True).select_option("Short.csv")
     expect(name).to_have_text("phyphox.zip: 199 points")
     shows_fit(measured)
-
-
-def test_a_fit_can_be_cancelled(measured: Page) -> None:
+    removed(measured)
     measured.evaluate(DROP_ROWS)
     drop(measured, "cart.csv", record())
     measured.get_by_role("button", name="Cancel").click()
-    expect(measured.locator(".measured-status")).to_have_text("The fit is cancelled. “Fit again” computes it.")
+    expect(status).to_have_text("The fit is cancelled. “Fit again” computes it.")
     expect(measured.get_by_role("button", name="Cancel")).to_be_hidden()
     measured.wait_for_function("oscillations.messages.rests")
     measured.evaluate("window.repair()")
-    measured.get_by_role("button", name="Fit again").click()
+    again = measured.get_by_role("button", name="Fit again")
+    again.click()
     shows_fit(measured)
-    expect(measured.get_by_role("button", name="Fit again")).to_be_hidden()
-    removed(measured)
+    expect(again).to_be_hidden()
 
 
 def test_a_phone_records_its_own_acceleration(
