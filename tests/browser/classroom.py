@@ -9,6 +9,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.browser.fixtures import CONNECTED, READY
+from tests.browser.touch import stroke
 from tests.serving.server import Server
 
 LED = "globalThis.oscillations?.classes?.led"
@@ -96,11 +97,8 @@ def draw(page: Page, height: Callable[[float], float], count: int = 40) -> None:
     """Draw a curve: heights and positions as shares of the frame."""
     page.locator(".drawing").scroll_into_view_if_needed()
     left, top, width, tall = page.evaluate(FRAME)
-    for i in range(count + 1):
-        page.mouse.move(left + i / count * width, top + (1 - height(i / count)) * tall)
-        if not i:
-            page.mouse.down()
-    page.mouse.up()
+    shares = [i / count for i in range(count + 1)]
+    stroke(page.mouse, [(left + share * width, top + (1 - height(share)) * tall) for share in shares])
 
 
 def counted(lecture: Page, *counts: str) -> None:

@@ -9,7 +9,7 @@ import pytest
 from playwright.sync_api import Locator, Page, expect
 
 from tests.browser.looks import TAUGHT
-from tests.browser.touch import Finger, middle, value
+from tests.browser.touch import Finger, middle, stroke, value
 from tests.browser.waiting import clicked, is_shown, passed, turned, typed
 
 pytestmark = pytest.mark.browser
@@ -65,11 +65,8 @@ def test_a_finger_moves_a_slider_sideways_only(phone: Page) -> None:
     turned(phone, "coupled", {})
     for across, down, moves in ((0, 60, False), (5, 2, False), (60, 4, True)):
         before = value(phone, "k2")
-        finger, (x, y) = Finger(phone), middle(slider(phone, "k2"))
-        finger.down(x, y)
-        for step in range(1, 6):
-            finger.move(x + across * step / 5, y + down * step / 5)
-        finger.up()
+        x, y = middle(slider(phone, "k2"))
+        stroke(Finger(phone), [(x + across * step / 5, y + down * step / 5) for step in range(6)])
         passed(phone)
         assert (value(phone, "k2") != before) is moves, (across, down)
 

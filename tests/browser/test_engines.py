@@ -65,7 +65,7 @@ def middle(window: DrivenWindow, selector: str, name: str = "") -> Point:
 
 
 def press(window: DrivenWindow, selector: str, name: str = "") -> None:
-    stroke(window, [middle(window, selector, name)])
+    stroke(window.mouse, [middle(window, selector, name)])
 
 
 @pytest.fixture(scope="session", params=ENGINES)
@@ -175,11 +175,11 @@ def test_a_visitor_finds_a_scene_changes_it_and_takes_its_numbers_along(engine: 
     press(engine, "button", "Restart")
     engine.evaluate(PASSED, 3)  # until the mass is drawn where it starts
     x, y = middle(engine, "[data-grab=x1_0]")
-    stroke(engine, [(x + 5 * i, y) for i in range(9)])
+    stroke(engine.mouse, [(x + 5 * i, y) for i in range(9)])
     engine.wait_for_function("oscillations.shown.settings.x1_0.value > 1")
     before = value(engine, "k2")
     x, y = middle(engine, "input[name=k2-slider]")
-    stroke(engine, [(x + 30, y)])
+    stroke(engine.mouse, [(x + 30, y)])
     by_track = value(engine, "k2")
     assert by_track != before
     engine.keyboard.press("ArrowRight")
@@ -202,7 +202,7 @@ def test_a_sketch_of_a_walk_is_answered_and_explained(engine: DrivenWindow, serv
     engine.goto(f"{server.url}?walk=d34&step=d34-10")
     engine.wait_for_function(CARD)
     x, y = middle(engine, ".drawing")
-    stroke(engine, [(x + 12 * i, y - 40 + 8 * (i % 10)) for i in range(-15, 15)])
+    stroke(engine.mouse, [(x + 12 * i, y - 40 + 8 * (i % 10)) for i in range(-15, 15)])
     press(engine, "button", "Show the answer")
     engine.wait_for_function(LESSON)
     assert engine.evaluate("oscillations.walks.walk.lesson.right") is not None

@@ -6,11 +6,11 @@ import itertools
 from collections.abc import Callable
 
 import pytest
-from playwright.sync_api import Locator, Page, expect
+from playwright.sync_api import Locator, Mouse, Page, expect
 
 from components.scenes import SCENES
 from tests.browser.looks import seen
-from tests.browser.touch import FREE, IN_PLOT, OUTLINE, SCROLLING, Finger, Mouse, middle, stopped, swipe, top, value
+from tests.browser.touch import FREE, IN_PLOT, OUTLINE, SCROLLING, Finger, middle, stopped, stroke, top, value
 from tests.browser.waiting import QUIET, passed, turned
 from tests.grids import WHOLE, sample
 from tests.page.hand import grabs
@@ -74,7 +74,7 @@ def test_a_scene_in_the_hand(turn: tuple[str, str], new_page: Callable[..., Page
     page = open_scene(new_page(*SCREENS[screen], **options), scene=slug)
     if desk:
         page.evaluate(LATE)
-    hand, taken, tried = Mouse(page) if desk else Finger(page), 0, set[str]()
+    hand, taken, tried = page.mouse if desk else Finger(page), 0, set[str]()
     for view in (scene.off_default() for scene in seen(SCENES[slug])):
         turned(page, slug, view)
         stopped(page)
@@ -97,7 +97,8 @@ def is_taken(page: Page, hand: Mouse | Finger, grip: Locator) -> None:
     grip.evaluate("grip => grip.scrollIntoView({block: 'center'})")
     stopped(page)
     name, was = grip.get_attribute("data-of"), grip.evaluate(PLACE)
-    hand.down(was["x"], was["y"])
+    hand.move(was["x"], was["y"])
+    hand.down()
     for dx, dy in WAYS:
         hand.move(was["x"] + dx, was["y"] + dy)
         passed(page, 2)
@@ -118,10 +119,7 @@ def scrolls(page: Page, finger: Mouse | Finger, name: str) -> None:
     stopped(page)
     x, y = page.evaluate(IN_PLOT, name)
     before, was = page.evaluate(STATE), page.evaluate("scrollY")
-    finger.down(x, y)
-    for far in range(10, 90, 10):
-        finger.move(x + 2, y - far)
-    finger.up()
+    stroke(finger, [(x + 2, y - far) for far in range(0, 90, 10)])
     page.wait_for_function("was => scrollY !== was", arg=was)
     assert page.evaluate(STATE) == before, name
 
@@ -140,7 +138,8 @@ def test_a_value_set_by_a_finger_is_kept_when_the_browser_cancels_the_touch(phon
         else:
             phone.evaluate("oscillations.clock.playing = true")
         before = value(phone, name)
-        swipe(phone, middle(phone.locator(where).first), (30, 1), end="touchCancel")
+        x, y = middle(phone.locator(where).first)
+        stroke(Finger(phone), [(x, y), (x + 15, y), (x + 30, y + 1)], kind="touchCancel")
         phone.wait_for_function(f"({held})(oscillations) === 'false,false,false,true,false'")
         assert value(phone, name) != before, f"{where}: what was set last stands"
         assert value(phone, "v1_0") == 0, "and is no flick"
@@ -230,11 +229,12 @@ def test_a_tap_starts_a_mode_and_a_move_sideways_drags_it(phone: Page) -> None:
     finger, settings = Finger(phone), "oscillations.shown.settings"
     (name,) = phone.evaluate(SCROLLING)
     x, y = phone.evaluate(IN_PLOT, name)
-    finger.down(x, y)
+    finger.move(x, y)
+    finger.down()
     assert phone.evaluate(f"{settings}.starts.value") == "pluck", "a press alone may be the begin of a scroll"
     finger.up()
     phone.wait_for_function(f"{settings}.starts.value === 'mode' && {settings}.j.value === 6")
-    finger.down(x, y)
+    finger.down()
     for far in range(0, 100, 10):
         finger.move(x - far, y)
     phone.wait_for_function(f"{settings}.j.value < 5")
@@ -263,7 +263,8 @@ def test_a_finger_drags_a_handle_from_where_it_has_taken_it(
     turned(phone, slug, given)
     handle, finger = phone.get_by_role("slider", name=name, exact=True), Finger(phone)
     x, y = middle(handle)
-    finger.down(x + 9, y - 9)
+    finger.move(x + 9, y - 9)
+    finger.down()
     finger.move(x + 9 + way[0], y - 9 + way[1])
     phone.wait_for_function(f"oscillations.shown.settings.{moves}")
     passed(phone)

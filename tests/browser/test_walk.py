@@ -15,7 +15,7 @@ from components.walks.questions.choice import ChoiceStep
 from tests.browser.classroom import CONNECTED, FRAME, LED, Open, draw, joined, sent, taught
 from tests.browser.fixtures import READY
 from tests.browser.looks import TAUGHT
-from tests.browser.touch import Finger, swipe
+from tests.browser.touch import Finger, stroke
 from tests.browser.waiting import QUIET, passed, tap
 from tests.grids import sample
 from tests.serving.server import Server
@@ -167,7 +167,7 @@ def test_a_phone_has_a_key_for_the_sign_and_a_finger_marks_and_draws(walk: Walk)
     expect(page.get_by_role("img", name="right")).to_be_visible()
     page = walk("d31-12", *PHONE, has_touch=True, is_mobile=True)
     left, top, wide, high = page.evaluate(FRAME)
-    swipe(page, (left + wide / 3, top + high / 3), (round(wide / 3), round(high / 3)))
+    stroke(Finger(page), [(left + share * wide, top + share * high) for share in (0.3, 0.5, 0.7)])
     expect(page.get_by_text("Your mark: ")).to_be_visible()
     page = walk("d34-14", *PHONE, has_touch=True, is_mobile=True)
     page.evaluate("oscillations.walks.walk.card.question.plot.host.scrollIntoView({block: 'center'})")
@@ -178,11 +178,8 @@ def test_a_phone_has_a_key_for_the_sign_and_a_finger_marks_and_draws(walk: Walk)
     })(document.querySelector(".card .problem"))"""), "why it is not shown yet is out of sight"
     scrolled = page.evaluate("scrollY")
     left, top, wide, high = page.evaluate(FRAME)
-    finger = Finger(page)
-    finger.down(left + 0.1 * wide, top + 0.9 * high)
-    for i in range(1, 21):
-        finger.move(left + wide * (0.1 + 0.04 * i), top + high * (0.9 - 0.035 * i))
-    finger.up()
+    way = [(left + wide * (0.1 + 0.04 * i), top + high * (0.9 - 0.035 * i)) for i in range(21)]
+    stroke(Finger(page), way)
     drawn = page.evaluate("oscillations.walks.walk.card.question.given().curves.Xp1.filter(height => height !== null)")
     assert len(drawn) > 70 and drawn[-1] > drawn[0]
     assert page.evaluate("scrollY") == scrolled

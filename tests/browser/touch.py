@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from time import time
 from typing import Any
 
 from playwright.sync_api import Locator, Page
@@ -43,13 +42,13 @@ def middle(part: Locator) -> tuple[float, float]:
     return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
 
-def stroke(page: Page | DrivenWindow, points: Iterable[Point]) -> None:
-    """Press the button at the first point, move over the others, and release it."""
+def stroke(hand: Any, points: Iterable[Point], **up: str) -> None:
+    """Press a finger or a mouse at the first point, move it over the others, and release it."""
     for i, (x, y) in enumerate(points):
-        page.mouse.move(x, y)
+        hand.move(x, y)
         if not i:
-            page.mouse.down()
-    page.mouse.up()
+            hand.down()
+    hand.up(**up)
 
 
 def top(part: Locator) -> float:
@@ -61,53 +60,25 @@ def stopped(page: Page, t: float = 0.3) -> None:
     passed(page)
 
 
-def swipe(page: Page, start: tuple[float, float], way: tuple[int, int], end: str = "touchEnd") -> None:
-    """A finger put down, moved, and lifted after a rest, or taken away by the browser.
-
-    Without a rest, the browser takes it for a throw and ignores the next tap, as it does while a page rolls.
-    """
-    browser, now = page.context.new_cdp_session(page), time()
-    for kind, share, ago in (
-        ("touchStart", 0.0, 0.6),
-        ("touchMove", 0.5, 0.5),
-        ("touchMove", 1.0, 0.4),
-        (end, None, 0.0),
-    ):
-        points = [] if share is None else [{"x": start[0] + share * way[0], "y": start[1] + share * way[1]}]
-        browser.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points, "timestamp": now - ago})
-
-
 class Finger:
-    """One finger, moved step by step."""
+    """A finger, with the methods of a mouse."""
 
     def __init__(self, page: Page) -> None:
-        self.browser = page.context.new_cdp_session(page)
+        self.browser, self.at = page.context.new_cdp_session(page), {"x": 0.0, "y": 0.0}
+        self.is_down = False
 
-    def _send(self, kind: str, *points: dict[str, float]) -> None:
-        self.browser.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
-
-    def down(self, x: float, y: float) -> None:
-        self._send("touchStart", {"x": x, "y": y})
+    def _send(self, kind: str) -> None:
+        self.browser.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [self.at] if self.is_down else []})
 
     def move(self, x: float, y: float) -> None:
-        self._send("touchMove", {"x": x, "y": y})
+        self.at = {"x": x, "y": y}
+        if self.is_down:
+            self._send("touchMove")
 
-    def up(self) -> None:
-        self._send("touchEnd")
+    def down(self) -> None:
+        self.is_down = True
+        self._send("touchStart")
 
-
-class Mouse:
-    """A mouse button, with the methods of a `Finger`."""
-
-    def __init__(self, page: Page) -> None:
-        self.mouse = page.mouse
-
-    def down(self, x: float, y: float) -> None:
-        self.mouse.move(x, y)
-        self.mouse.down()
-
-    def move(self, x: float, y: float) -> None:
-        self.mouse.move(x, y)
-
-    def up(self) -> None:
-        self.mouse.up()
+    def up(self, kind: str = "touchEnd") -> None:
+        self.is_down = False
+        self._send(kind)
