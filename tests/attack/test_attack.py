@@ -31,6 +31,12 @@ def test_malformed_links(scene: type[Scene]) -> None:
     settings(max_examples=15)(given(queries(scene))(follow))()
 
 
+@scenes
+@pytest.mark.parametrize("window", [5e-324, 1e-300, 1.7e308])
+def test_extreme_windows(scene: type[Scene], window: float) -> None:
+    visit(scene.slug, {}, [{"type": "set", "values": {"window": window}}])
+
+
 def test_ticks_far_off_their_unit_can_be_read() -> None:
     """A kept frame grows to 5e16 m for the smallest mass on the softest spring. It was once labelled −4e+16."""
     parameters = {"k": 5e-324, "x_0": 0.0, "m": sys.float_info.min}

@@ -169,7 +169,7 @@ class DrivenShown(DrivenCase):
     # The rings of a push. Dragging the period's ring sets omega to `full_turn` divided by the share of the window.
     # `stretch` converts a push to m: the stretch of the spring, or the amplitude that an impulse causes.
     period_share = value.optional(lambda c: c.period_in_window)
-    full_turn = value(lambda c: 2 * math.pi / c.end)
+    full_turn = value.optional(lambda c: None if c.period_in_window is None else 2 * math.pi / c.end)
     pulse_width = value.optional(lambda c: c.width if c.has_width and c.pushed_by else None)
     half_F = value.optional(lambda c: c.F_0 / 2 if c.has_width and c.pushed_by else None)
     F_high = value.optional(lambda c: c.F_0 if c.pushed_by and not c.is_impulsive else None)
