@@ -4,7 +4,7 @@ hall, also parts that scroll or are too small for the last row.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator
 from pathlib import Path
 from typing import cast
 
@@ -406,28 +406,9 @@ SIDEWAYS = """() => {
 """On a phone held sideways the plot is next to the picture, and Play is visible."""
 
 
-Check = Callable[[Page], list[str]]
-
-
 def of(page: Page, *scripts: str, given: object = None) -> list[str]:
     """The faults that scripts report."""
     return [fault for script in scripts for fault in cast(list[str], page.evaluate(script, given))]
-
-
-def check(script: str, given: object = None) -> Check:
-    return lambda page: of(page, script, given=given)
-
-
-desk, order, wider, sideways = map(check, (DESK, ORDER, LOST, SIDEWAYS))
-fields, heads, panel = map(check, (FIELDS, HEADS, PANEL))
-
-
-def first(names: Sequence[str], screens: int, room: int = 0) -> Check:
-    return check(FIRST, [list(names), screens, room])
-
-
-def targets(least: int) -> Check:
-    return check(TARGETS, least)
 
 
 LAID = "oscillations.walks.walk.card?.page === oscillations.page"

@@ -243,7 +243,7 @@ def test_nothing_leaves_any_screen_all_can_be_hit_and_is_read_in_the_order_in_wh
         leaves = [fault for fault in faults(home) if fault.startswith(("cut", "the page"))]  # pictures have small type
         assert leaves == [], (width, height)
     home.set_viewport_size({"width": 390, "height": 844})
-    assert looks.targets(24)(home) == []
+    assert looks.of(home, looks.TARGETS, given=24) == []
     tops = home.locator("h1, h2, a:visible, button:visible, input:visible").evaluate_all(TOPS)
     assert tops == pytest.approx(sorted(tops), abs=8)
     home.emulate_media(media="print")

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import pytest
 from playwright.sync_api import Page
 
@@ -54,14 +52,13 @@ BELOW = {
 FOLD = "document.querySelectorAll('.panel details.fold').forEach(fold => { fold.open = false })"
 
 
-def at_size(page: Page, size: tuple[int, int], *checks: Callable[[Page], list[str]], text: str = "100%") -> list[str]:
+def at_size(page: Page, size: tuple[int, int], *scripts: str, text: str = "100%") -> list[str]:
     """The faults of a page in a window of this size, with text of this size."""
     page.set_viewport_size({"width": size[0], "height": size[1]})
     page.evaluate("text => { document.documentElement.style.fontSize = text }", "" if text == "100%" else text)
     passed(page)
     seek(page, 0.0)
-    found = faults(page) + looks.of(page, looks.TICKS, looks.SIZES)
-    found += [one for check in checks for one in check(page)]
+    found = faults(page) + looks.of(page, looks.TICKS, looks.SIZES, *scripts)
     return [f"{size[0]} x {size[1]}, text of {text}: {one}" for one in found]
 
 
@@ -73,16 +70,16 @@ def test_nothing_is_wrong_on_a_desk(desk: Page, state: State) -> None:
     desk.evaluate(FOLD)
     desk.locator("#theme").click()
     theme = desk.evaluate("document.documentElement.dataset.theme")
-    panel = [looks.panel] if state in OPENING else []
+    panel = [looks.PANEL] if state in OPENING else []
     found = []
     for size in DESKS:
         fits = size[0] > 1249 and (slug != "accuracy" or size[1] > 680)  # the names of methods need a high plot
-        found += at_size(desk, size, *([looks.desk, *panel] if fits else []))
-        found += looks.order(desk) if size in READ else []
-        found += looks.heads(desk) if size[1] >= 720 else []
+        found += at_size(desk, size, *([looks.DESK, *panel] if fits else []))
+        found += looks.of(desk, looks.ORDER) if size in READ else []
+        found += looks.of(desk, looks.HEADS) if size[1] >= 720 else []
     found += at_size(desk, (1280, 720), text="200%")
     unfold(desk)
-    found += at_size(desk, (1280, 720), looks.targets(24), looks.wider, looks.axe)
+    found += at_size(desk, (1280, 720), looks.LOST) + looks.of(desk, looks.TARGETS, given=24) + looks.axe(desk)
     if state in OPENING:  # other views may draw dots alone
         desk.wait_for_function(f"!({looks.UNINKED})().length")
     desk.evaluate("oscillations.change(() => ({covered: oscillations.plots.map(p => `plot:${p.block.name}`)}))")
@@ -101,11 +98,13 @@ def test_nothing_is_wrong_on_a_phone(phone: Page, state: State) -> None:
     (view,) = [view for view in SCENES[slug].views if view.slug == SCENES[slug](**given).view]
     found = []
     below = BELOW.get((slug, str(given.get("system") or view.slug)), 0)
-    for size, first in (((390, 844), looks.first(view.names, 1, below)), ((320, 568), looks.first(view.names, 2))):
-        found += at_size(phone, size, looks.order, first)
-    found += at_size(phone, (844, 390), looks.order, looks.sideways)
+    for size, screens, room in (((390, 844), 1, below), ((320, 568), 2, 0)):
+        found += at_size(phone, size, looks.ORDER)
+        found += looks.of(phone, looks.FIRST, given=[list(view.names), screens, room])
+    found += at_size(phone, (844, 390), looks.ORDER, looks.SIDEWAYS)
     unfold(phone)
     found += at_size(phone, (360, 640))
-    found += at_size(phone, (390, 844), looks.targets(44), looks.fields, looks.wider, looks.axe)
+    found += at_size(phone, (390, 844), looks.FIELDS, looks.LOST)
+    found += looks.of(phone, looks.TARGETS, given=44) + looks.axe(phone)
     found += at_size(phone, (390, 844), text="200%")
     assert not found, "\n".join(found)
