@@ -10,7 +10,7 @@ from PIL import Image
 from playwright.sync_api import Page, sync_playwright
 
 from tests.browser.fixtures import READY
-from tests.browser.waiting import passed, redrawn
+from tests.browser.waiting import passed, played
 from tests.serving.server import serving
 from tools.browsers.chromium import find
 from tools.pictures import STOP
@@ -29,7 +29,7 @@ def frames(page: Page) -> list[Image.Image]:
     found = []
     for frame in range(FRAMES):
         page.evaluate(STOP, frame / FRAMES)
-        redrawn(page)
+        played(page)
         passed(page)
         found.append(Image.open(io.BytesIO(page.screenshot(caret="hide"))).convert("RGB").resize(SIZE))
     return found

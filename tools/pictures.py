@@ -24,7 +24,7 @@ from components.state.page_state import fitted
 from components.walks.registry import all_walks
 from tests.browser.fixtures import READY
 from tests.browser.looks import seen
-from tests.browser.waiting import passed, redrawn
+from tests.browser.waiting import passed, played
 from tests.serving.server import serving
 from tools.browsers.chromium import find
 
@@ -116,7 +116,7 @@ def _path(folder: Path, name: str, screen: str) -> Path:
 def _take(page: Page, path: Path, whole: bool = True) -> None:
     """Save a picture of a page, or of its visible part, when nothing more is drawn."""
     page.evaluate(STOP, INSTANT)
-    redrawn(page)
+    played(page)
     last = b""
     for _ in range(TRIES):
         passed(page)

@@ -155,8 +155,6 @@ def test_formulas_look_the_same(engine: DrivenWindow, server: Server, tmp_path: 
     assert engine.evaluate(sizes) == pytest.approx([1.05 * SIZE, 1.13 * SIZE], abs=0.005 * SIZE)
 
 
-HEADLINE = "document.querySelector('h1').textContent"
-ADDRESS = "decodeURIComponent(location.search)"
 CARD = f"{CONNECTED} && oscillations.walks.walk?.card && {QUIET}"
 LESSON = "document.querySelector('.card .why')"
 SAVED = """() => {
@@ -170,7 +168,7 @@ def test_a_visitor_finds_a_scene_changes_it_and_takes_its_numbers_along(engine: 
     engine.goto(server.url)
     press(engine, "a.scene-card[href='?scene=coupled']")
     engine.wait_for_function(f"location.search && {CONNECTED}")
-    assert engine.evaluate(HEADLINE) == SCENES["coupled"].headline
+    assert engine.evaluate("document.querySelector('h1').textContent") == SCENES["coupled"].headline
     press(engine, "button", "Pause")
     press(engine, "button", "Restart")
     engine.evaluate(PASSED, 3)  # until the mass is drawn where it starts
@@ -188,7 +186,7 @@ def test_a_visitor_finds_a_scene_changes_it_and_takes_its_numbers_along(engine: 
     engine.evaluate("document.activeElement.select()")
     engine.keyboard.type("3.5")
     engine.keyboard.press("Enter")
-    engine.wait_for_function(f"{ADDRESS}.includes('k2=3.5')")
+    engine.wait_for_function("location.search.includes('k2=3.5')")
     engine.reload()
     engine.wait_for_function(CONNECTED)
     assert value(engine, "k2") == 3.5

@@ -46,16 +46,11 @@ def turned(page: Page, slug: str, given: Mapping[str, object]) -> None:
 def seek(page: Page, t: float) -> None:
     """Stops at an instant, which is drawn on return."""
     page.evaluate("t => { oscillations.clock.playing = false; oscillations.clock.seek(t) }", t)
-    redrawn(page)
+    played(page)
 
 
-def redrawn(page: Page) -> None:
-    """All received data is drawn."""
-    page.evaluate(FRAMES, 1)
-
-
-def played(page: Page, frames: int) -> None:
-    """Wait until a number of frames of a motion have been drawn."""
+def played(page: Page, frames: int = 1) -> None:
+    """Wait until a number of frames have been drawn, with all received data."""
     page.evaluate(FRAMES, frames)
 
 
