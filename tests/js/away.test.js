@@ -76,19 +76,13 @@ const REQUESTS = {
     entered("ab cd", "the QR code's", () => {}).then(({token}) => found.push(token))
     return () => assert.deepEqual(found, [mine("ABCD").token])
   },
-  "an answer": () => {
-    delivering().give(QUESTION, ANSWER)
-    return () => {
-      assert.deepEqual([...room.answers], [["Bearer word", ANSWER]])
-      assert.ok(last.isSent(QUESTION) && !last.refused.size && !last.isFailing)
-    }
-  },
   "an answer that is changed meanwhile": () => {
     delivering().give(QUESTION, ANSWER)
     setTimeout(() => last.give(QUESTION, OTHER), AWAY / 2)
     return () => {
       assert.deepEqual([...room.answers], [["Bearer word", OTHER]])
       assert.deepEqual(last.answer(QUESTION), OTHER)
+      assert.ok(last.isSent(QUESTION) && !last.refused.size && !last.isFailing)
     }
   },
   "a sketch, and the answer to the next question": () => {
