@@ -55,25 +55,19 @@ def test_a_scene_that_was_left_is_closed_and_silent() -> None:
     assert (ended, len(page.packets)) == ([True], told)
 
 
+STIFF = {"m": 3.0, "k": 20.0}
 CHAIN = {"m1": 1.5, "m2": 0.25, "k1": 6.0, "k2": 0.1}
 ROUTES: list[tuple[str, dict[str, Any], list[tuple[str, dict[str, Any]]]]] = [
-    (
-        "coupled",
-        {**CHAIN, "x1_0": 0.3},
-        [("modes", CHAIN), ("forced", CHAIN), ("accuracy", {**CHAIN, "system": "own"})],
-    ),
+    ("coupled", {**CHAIN, "x1_0": 0.3},
+     [("modes", CHAIN), ("forced", CHAIN), ("accuracy", {**CHAIN, "system": "own"})]),
     ("forced", CHAIN, [("absorber", {}), ("absorber", {"m2": 30.0}), ("modes", CHAIN)]),
-    (
-        *("oscillator", {"m": 3.0}),
-        [
-            *(("energy", {"m": 3.0}), ("energy", {"m": 3.0, "k": 20.0})),
-            ("analogues", {"system": "spring", "spring_m": 3.0, "spring_k": 20.0}),
-            *(("coupled", {}), ("oscillator", {"m": 3.0, "k": 20.0})),
-        ],
-    ),
+    ("oscillator", {"m": 3.0}, [
+        ("energy", {"m": 3.0}), ("energy", STIFF),
+        ("analogues", {"system": "spring", "spring_m": 3.0, "spring_k": 20.0}), ("coupled", {}), ("oscillator", STIFF),
+    ]),
     ("analogues", {"system": "circuit", "spring_m": 5.0}, [("oscillator", {})]),
     ("coupled", {"k1": 0.0, "k2": 1e-300}, [("forced", {}), ("modes", {})]),
-]
+]  # fmt: skip
 """A scene with its values, and what is in each scene to which its visitor goes. In the same scene again, it is set."""
 
 

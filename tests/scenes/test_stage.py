@@ -102,16 +102,14 @@ STARTED: list[dict[str, Any]] = [
     {**TWICE, "m1": 1.0, "k1": 1.0, "m2": 1.0, "k2": 0.0, "c": 1.0},
 ]
 """Machines at a resonance, with strong damping, with equal exponents (c = 216), and with a dashpot alone."""
+PUSHED = ({"m1": 2.0, "k2": 2.0}, {"k1": 0.0, "x1_0": 0.3}, {"c1": 0.4, "c2": 0.2, "v2_0": 0.1, "F_0": 3.0})
 STATES: list[tuple[str, Callable[..., Pairs], dict[str, Any]]] = [
     *(("oscillator", turning_arrow, {"x_0": x, "v_0": v}) for x, v in ((-0.1, -0.8), (0.15, 0.0), (0.0, 0.8))),
     ("analogues", pendulum, {"theta_0": 100.0, "pendulum_m": 2.0, "pendulum_l": 0.5}),
     ("phugoid", lift_on_path, {"view": "lift", "excess": 0.3}),
     *(("absorber", machine, one) for one in ({"k2": 30e3}, {"damping": "added", "c": 200.0})),
     *(("absorber", machine, {"view": "rest", **one}) for one in ({}, {"tuning": "detached"}, *STARTED)),
-    *(
-        ("forced", forces_on_masses, {"view": "forces", **one})
-        for one in ({"m1": 2.0, "k2": 2.0}, {"k1": 0.0, "x1_0": 0.3}, {"c1": 0.4, "c2": 0.2, "v2_0": 0.1, "F_0": 3.0})
-    ),
+    *(("forced", forces_on_masses, {"view": "forces", **one}) for one in PUSHED),
     ("coupled", forces_on_masses, {"view": "forces", "m1": 2.0, "k2": 3.0, "v1_0": 0.3}),
     *(("modes", roots, {"view": "roots", "c1": c, "c2": 0.3 * c}) for c in (0.1, 0.6, 8.0)),
 ]
