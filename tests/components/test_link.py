@@ -77,6 +77,11 @@ def test_the_scene_of_a_link() -> None:
     assert (link.values, link.problems) == ({}, []), "keys of the server and the page"
 
 
+def test_bytes_that_are_no_text_are_named() -> None:
+    (problem,) = read_query({"scene": [b"coupled"], "m1": [b"\xff"]}, SCENES).problems
+    assert problem == f"m1: “\ufffd” {NO_NUMBER}"
+
+
 def test_not_more_problems_than_can_be_read() -> None:
     problems = read("&".join(f"unknown{i}=1" for i in range(100))).problems
     assert len(problems) == MOST_PROBLEMS + 1 and problems[-1] == "92 more parts of this link are refused."

@@ -12,6 +12,7 @@ import pytest
 from components.language.blocks import Block, ChoiceBlock, PlotBlock, TableBlock, WordsBlock
 from components.language.plots import Term
 from components.language.text import Forms
+from components.layout.choices import stated
 from components.layout.sheet import blocks, in_force
 from components.scene import Scene
 from components.scene.traces import BAND
@@ -115,7 +116,8 @@ def test_each_form_has_its_words(slug: str) -> None:
 @scenes
 def test_names_in_a_sheet_are_those_of_its_scene(slug: str) -> None:
     """Sliders, marks, buttons and drags set parameters; the term of a heading has the group of a curve that it
-    switches; a preset has a sentence; what is read aloud is in some picture."""
+    switches; a preset has a sentence and sets all that presets set; what is read aloud is in some picture.
+    """
     scene = SCENES[slug]
     named = [block.name for block in blocks(scene.sheet()) if isinstance(block, ChoiceBlock)]
     named += [name for _, grab in grabs(scene) for name in (*sets(grab), *(begin.parameter for begin in grab.start))]
@@ -126,6 +128,8 @@ def test_names_in_a_sheet_are_those_of_its_scene(slug: str) -> None:
         assert {term.curve for term in plot.heading} <= {"", *(one.group for one in (*plot.curves, *plot.regions))}
     assert set(named) <= scene.parameters().keys()
     assert list(scene.watch) == list(scene.presets)
+    for button in scene_sheet(scene).panel.presets:
+        assert button.sets == {name: stated(one) for name, one in scene.preset_all(button.label).items()}
     for values in scene.presets.values():
         one = scene(**values)
         assert {*one.shown.spans, *one.units()} <= scene.quantities()
