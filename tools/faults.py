@@ -83,7 +83,7 @@ MUTANTS = (
     # the server and the class
     Mutant(
         "vote", "components/live_class/room.py", "return name in self.streams or", "return name not in self.streams or",
-        "tests/live_class/test_streams.py",
+        "tests/live_class/test_routes.py",
     ),
     Mutant(
         "listener", "components/live_class/store.py", "self._listeners.remove(receive)", "pass",
@@ -95,7 +95,7 @@ MUTANTS = (
     ),
     Mutant(
         "line", "components/serving/admission.py", "has < OF_A_NETWORK", "has <= OF_A_NETWORK",
-        "tests/serving/test_admission.py",
+        "tests/serving/test_sessions.py",
     ),
     Mutant("header", "components/serving/headers.py", "\"base-uri 'none'\", ", "", "tests/serving/test_routes.py"),
     # scripts

@@ -1,7 +1,10 @@
-"""Every link gives a picture, a file and "About these numbers", or a refusal, within a budget of function calls."""
+"""Every link gives a picture, a file and "About these numbers", or a refusal, within a budget of function calls; a page
+stays consistent after any link or message: a short form of `make attack`.
+"""
 
 from __future__ import annotations
 
+import sys
 from functools import partial
 
 import pytest
@@ -10,6 +13,7 @@ from hypothesis import given, settings
 from app import SHEETS
 from components.language.state import State
 from components.quantities.refusals import SORRY
+from components.scene import Scene
 from components.scenes import SCENES
 from components.session.exports import AboutExport, LinkExport, PageExport
 from components.session.opening import opened
@@ -19,7 +23,8 @@ from tests.attack.budgets import ABOUT, FILE, PICTURE, counted
 from tests.grids import sample, tries
 from tests.scenes.checks import as_arguments
 from tests.states import links
-from tools.attack.extremes import values
+from tools.attack.extremes import ExtremeValues, Message, messages, queries, values
+from tools.attack.visit import follow, visit
 
 HERE = "http://here/"
 WORST = (
@@ -86,3 +91,35 @@ def test_any_link_stays_within_the_budgets(slug: str, kind: str) -> None:
         (check_page if kind == "any state" else check)(link)
 
     page()
+
+
+scenes = pytest.mark.parametrize("scene", SCENES.values(), ids=SCENES.keys())
+
+
+@scenes
+@pytest.mark.timeout(600)
+def test_pages_at_extremes(scene: type[Scene]) -> None:
+    @settings(max_examples=15)
+    @given(values(scene), messages(scene))
+    def page(link: ExtremeValues, sent: list[Message]) -> None:
+        visit(scene.slug, link, sent)
+
+    page()
+
+
+@scenes
+def test_malformed_links(scene: type[Scene]) -> None:
+    settings(max_examples=15)(given(queries(scene))(follow))()
+
+
+@scenes
+@pytest.mark.parametrize("window", [5e-324, 1e-300, 1.7e308])
+def test_extreme_windows(scene: type[Scene], window: float) -> None:
+    visit(scene.slug, {}, [{"type": "set", "values": {"window": window}}])
+
+
+def test_ticks_far_off_their_unit_can_be_read() -> None:
+    """A kept frame grows to 5e16 m for the smallest mass on the softest spring. It was once labelled −4e+16."""
+    parameters = {"k": 5e-324, "x_0": 0.0, "m": sys.float_info.min}
+    state = {"scene": "energy", "parameters": parameters, "frame": {}}
+    visit("oscillator", {}, [{"type": "open", "state": state}, {"type": "set", "values": {"m": 5e-324}}])

@@ -13,12 +13,13 @@ import pytest
 
 from tests.attack.caller import ask
 from tests.live_class.caller import Class, Stream, streams_closed
+from tests.live_class.served import CHOICE
 from tests.live_class.stores import valkey_running
+from tests.serving.served import until
 from tests.serving.server import ROOT
 from tools.deploy.site import DeployedSite, deployed, upgraded
 from tools.deploy.trials import trial
 
-CHOICE = {"walk": "d31", "step": "d31-03"}
 SLOW = (
     b"GET / HTTP/1.1\r\nHost: x\r\nX-Slow: ",
     b"POST /class HTTP/1.1\r\nHost: x\r\nContent-Length: 999\r\n\r\n",
@@ -63,7 +64,7 @@ async def lesson(site: DeployedSite) -> None:
     assert "X-Accel-Buffering: no" in streams[2].headers
     for i in range(4):
         url = direct[i % 3]
-        assert (await room.vote(await room.token(url), url, **CHOICE, option=i % 2)).status == 204
+        await room.voted(await room.token(url), url=url, **CHOICE, option=i % 2)
 
     def happening() -> None:
         site.kill(0)
@@ -71,12 +72,9 @@ async def lesson(site: DeployedSite) -> None:
 
     result = await asyncio.to_thread(asyncio.run, trial(site, 6, happening))
     assert result.lost == [] and result.returned >= 1
-    async with asyncio.timeout(30):
-        while not streams[0].ended or not streams[1].ended:
-            await asyncio.sleep(0.02)
+    await until(lambda: streams[0].ended and streams[1].ended)
     back = await Stream(site.url, room.code, streams[0].word).open()
-    whole = await back.until(lambda event: event.get("question"))
-    assert whole["question"]["step"] == CHOICE["step"]
+    await back.until(lambda event: event.get("question", {}).get("step") == CHOICE["step"])
     await ordered(room, "show")
     await back.until(lambda event: event.get("question", {}).get("lesson"))
     assert (await room.tally())["now"]["options"] == [2, 2, 0]

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import subprocess
 import sys
-import time
 from collections.abc import AsyncIterator, Callable, Iterator
 from contextlib import asynccontextmanager, contextmanager
 from importlib.util import find_spec
@@ -17,7 +17,7 @@ import redis
 from components.live_class import shared_store, store
 from components.live_class.shared_store import SharedStore
 from components.live_class.store import MemoryStore, Store
-from tests.serving.server import free_port
+from tests.serving.server import free_port, wait_until_listening
 
 KINDS = ["memory", pytest.param("valkey", marks=pytest.mark.skipif(sys.platform == "win32", reason="no Valkey here"))]
 Make = Callable[..., Store]
@@ -45,15 +45,20 @@ class Valkey:
     def start(self) -> None:
         at = ("--port", str(self.port), "--bind", "127.0.0.1", "--save", "", "--appendonly", "no")
         self._process = subprocess.Popen([str(valkey_binary()), *at], stdout=subprocess.DEVNULL)
-        end = time.monotonic() + 30
-        while time.monotonic() < end:
-            try:
-                with redis.Redis(port=self.port) as client:
-                    client.ping()
-                    return
-            except redis.exceptions.ConnectionError:
-                time.sleep(0.02)
-        raise RuntimeError("Valkey does not start")
+        wait_until_listening(self._process, self.port, Path(os.devnull))
+
+    def client(self) -> redis.Redis:
+        return redis.Redis.from_url(self.url)
+
+    def emptied(self) -> Valkey:
+        with self.client() as client:
+            client.flushall()
+        return self
+
+    def bytes(self) -> int:
+        """Return the bytes of everything that it stores."""
+        with self.client() as client:
+            return sum(int(client.memory_usage(key) or 0) for key in client.scan_iter())  # type: ignore[arg-type]
 
     @contextmanager
     def silent(self) -> Iterator[None]:

@@ -59,9 +59,8 @@ class AnyClass(RuleBasedStateMachine):
         self.loop, self.opened, self.patch = asyncio.new_event_loop(), AsyncExitStack(), pytest.MonkeyPatch()
         self.patch.setattr(registry_of, "time", lambda: self.now)
         self.patch.setattr(room_of, "monotonic", lambda: self.now)
-        self.now, self.marks, self.put, self.is_shown = 1.7e9, 0, said.PutTo(), False
-        self.votes, self.tokens = dict[str, Vote](), list[str]()
-        self.moderated, self.words = "", dict[str, bool]()
+        self.now, self.marks, self.put, self.is_shown, self.moderated = 1.7e9, 0, said.PutTo(), False, ""
+        self.votes, self.tokens, self.words = dict[str, Vote](), list[str](), dict[str, bool]()
         self.wait_for(self.begin(kind, url))
 
     def wait_for(self, work: Coroutine[Any, Any, Any]) -> Any:
@@ -310,8 +309,8 @@ class AnyClass(RuleBasedStateMachine):
         assert self.leader.ended and self.follower.ended and self.follower.news[-1].ended
         assert await self.store.parts(self.code) == {} and await self.store.questions(self.code) == []
         assert not any([await self.store.votes(self.code, name) for name in self.votes])
-        refused = [registry.obey(room, said.Withdraw()), second.reopen(self.code, self.key)]
-        for work in (*refused, *(second.followed(self.code, token) for token in self.tokens)):
+        followed = [second.followed(self.code, token) for token in self.tokens]
+        for work in (registry.obey(room, said.Withdraw()), second.reopen(self.code, self.key), *followed):
             with pytest.raises(ClosedError, match=r"class is over\.$"):
                 await work
         assert await self.all_of(self.other) == self.others
@@ -415,17 +414,15 @@ class AnyClass(RuleBasedStateMachine):
         judged = dict.fromkeys(name.rpartition("/")[0] for name in self.votes if asked_in(name).answers[0].right)
         assert [f"{one.walk}/{one.step}" for one in summed] == list(judged)
         for one in summed:
-            name = f"{one.walk}/{one.step}"
-            votes = [(n, self.votes[f"{name}/{n}"]) for n in range(1, 10) if f"{name}/{n}" in self.votes]
-            given = [[answer for answer, _, _ in vote.values()] for _, vote in votes]
-            assert one.place == asked_in(f"{name}/").place
-            assert [(vote.vote, vote.answered, vote.right) for vote in one.votes] == [
-                (n, len(answers), sum(answer.right == "yes" for answer in answers))
-                for (n, _), answers in zip(votes, given, strict=True)
-            ]
+            name = f"{one.walk}/{one.step}/"
+            splits = {n: self.split(f"{name}{n}") for n in range(1, 10) if f"{name}{n}" in self.votes}
+            counts = [(n, split.answered, split.right) for n, split in splits.items()]
+            assert [(vote.vote, vote.answered, vote.right) for vote in one.votes] == counts
+            given = [answer for answer, _, _ in self.votes[f"{name}{max(splits)}"].values()]
             wrong = Counter(
-                f"{each.text} {each.unit}".strip() for each in given[-1] if each.right == "no" and each.unit != "SI"
+                f"{each.text} {each.unit}".strip() for each in given if each.right == "no" and each.unit != "SI"
             )
+            assert one.place == asked_in(name).place
             assert one.mistaken == max(wrong.values(), default=0) == wrong[one.mistake]
 
 

@@ -1,46 +1,209 @@
-"""Work that a class does once or in slices between which others run; limits of walks, words and waiting phones."""
+"""The rooms of a replica: changes while a class is looked up or its store is unreachable, where newer data is never
+replaced by older; work that is done once or in slices; limits of walks, words and waiting phones.
+"""
 
 from __future__ import annotations
 
 import asyncio
 import sys
+from collections.abc import AsyncIterator, Awaitable, Callable
+from contextlib import asynccontextmanager
+from time import time
 from typing import Any
 
+import msgspec
 import pytest
 
-from components.language.class_messages import HandWalk, Moderate, PutQuestion
+from components.language.class_messages import HandWalk, Moderate, PutQuestion, RunClock, SentPicture
 from components.language.messages import Given
-from components.live_class import moderation, question_bank, remotes
+from components.live_class import moderation, publisher, question_bank, remotes
 from components.live_class import registry as registry_of
+from components.live_class import upkeep as upkeeps
 from components.live_class.moderation import Moderation
-from components.live_class.registry import Registry
+from components.live_class.publisher import Publisher
+from components.live_class.registry import ClosedError, Registry
 from components.live_class.remotes import begun, decided, is_in, new_digits, waits
 from components.live_class.room import ClassRoom
 from components.live_class.slices import Turns
-from components.live_class.store import MemoryStore
+from components.live_class.store import FullError, MemoryStore, Parts, Store, UnreachableError
+from components.live_class.upkeep import Upkeep
 from components.live_class.votes_csv import cell, votes_csv
+from components.scenes import SCENES
+from components.session.session import Session
+from components.state.page_state import fitted
 from components.walks.loading import read_walk
 from components.walks.questions.question import Judged, Written
 from components.walks.questions.sketch import SketchStep
 from tests.grids import WHOLE, sample
-from tests.live_class.caller import called
 from tests.live_class.messages import NUMBER, SKETCH
 from tests.live_class.questions import OWN
 from tests.live_class.served import ANSWERS, BANK, CHOICE, READ, Listener, fill, taught
+from tests.live_class.stores import Valkey, made
+from tests.serving.served import until
+
+CLOCK = RunClock(t=1.0, rate=0.0, end=20.0, at=0.0)
+CLOCK_PART = msgspec.json.encode(CLOCK)
 
 
-async def opened() -> tuple[Registry, ClassRoom]:
-    registry = Registry(MemoryStore(), BANK)
-    return registry, await registry.led(*await registry.open())
+class Wayward(MemoryStore):
+    """A store that can become unreachable; `meanwhile` runs between its look-up of a class and its answer."""
+
+    away, refused = False, 0
+    meanwhile: Callable[[], Awaitable[object]] | None = None
+
+    async def parts(self, code: str) -> Parts:
+        self._check()
+        found, meanwhile = await super().parts(code), self.meanwhile
+        self.meanwhile = None
+        if meanwhile:
+            await meanwhile()
+        return found
+
+    async def keep(self, code: str, parts: Parts) -> bool:
+        self._check()
+        return await super().keep(code, parts)
+
+    def _check(self) -> None:
+        if self.away:
+            self.refused += 1
+            raise UnreachableError("away")
 
 
-@pytest.mark.parametrize("text", ["@SUM(A1)", "+1", "-2+3", "\t=1", "\r=1", "＝1"])
-def test_no_spreadsheet_works_a_cell_out(text: str) -> None:
-    assert cell(text) == f"'{text}" and cell("-1e-300") == "-1e-300"
+@pytest.fixture
+def quick(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Upkeep that looks at rooms and its store all the time."""
+    for name, seconds in (("COUNTING", 0.005), ("SILENCE", 0.01), ("AGAIN", 0.001)):
+        monkeypatch.setattr(upkeeps, name, seconds)
 
 
-def told(listener: Listener) -> list[tuple[str, ...]]:
-    return [news.remotes for news in listener.news if news.remotes is not None]
+@asynccontextmanager
+async def kept(store: Store) -> AsyncIterator[tuple[Registry, Upkeep, str, ClassRoom, Listener]]:
+    """A registry with its upkeep, and the key of a class that is led."""
+    registry = Registry(store, BANK)
+    upkeep, listener = Upkeep(registry), Listener(leads=True)
+    upkeep.start()
+    await until(lambda: upkeep.listening)
+    code, key = await registry.open()
+    room = await registry.led(code, key)
+    room.listeners.add(listener)
+    try:
+        yield registry, upkeep, key, room, listener
+    finally:
+        await upkeep.end()
+
+
+async def test_news_during_the_look_up_of_a_class_is_received() -> None:
+    store = Wayward()
+    async with kept(store) as (registry, _, key, room, _):
+        code = registry.rooms.pop(room.code).code
+        store.meanwhile = lambda: MemoryStore.keep(store, code, {"clock": CLOCK_PART})
+        room = await registry.room(code)
+        assert room.whole().clock == CLOCK and await registry.led(code, key) is room
+        del registry.rooms[code]
+        store.meanwhile = lambda: store.end(code)
+        with pytest.raises(ClosedError):
+            await registry.room(code)
+        assert not registry.rooms
+
+
+async def test_a_look_at_the_store_brings_nothing_older_back_and_the_store_gets_what_it_has_missed(quick: None) -> None:
+    store, first, second = Wayward(), SentPicture(sheet="s", data=b"1"), SentPicture(sheet="s", data=b"2")
+    async with kept(store) as (registry, _, _, room, listener):
+        await registry.show(room, first)
+        store.meanwhile = lambda: registry.show(room, second)
+        await until(lambda: store.meanwhile is None and room.whole().picture == second)
+        assert [news.picture for news in listener.news if news.picture] == [first, second]
+        await registry.obey(room, PutQuestion(walk="d31", step="d31-02"))
+        store.away = True
+        await registry.obey(room, PutQuestion(**CHOICE))
+        assert room.used and room.question.step == CHOICE["step"]  # followers who are connected receive it at once
+        store.away = False
+        await until(lambda: not room.unsaved)
+        assert room.question.step == CHOICE["step"] and b'"d31-03"' in (await store.parts(room.code))["question"]
+
+
+async def test_who_leads_again_and_leaves_asks_a_store_that_is_away_no_more(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(publisher, "AGAIN", 0.001)
+    store = Wayward()
+    async with kept(store) as (registry, _, key, room, _):
+        code, session = registry.rooms.pop(room.code).code, Session(fitted(SCENES["coupled"]().value))
+        session.lead = lambda *given: Publisher(registry, *given)
+        store.away, before = True, len(asyncio.all_tasks())
+        for number in range(50):
+            session.handle({"type": "lead", "code": code, "key": key, "number": number})
+            await asyncio.sleep(0)
+        assert len(asyncio.all_tasks()) - before <= 2  # the last picture, and the one before it, which is being sent
+        await until(lambda: store.refused > 60)
+        session.close()
+        await asyncio.sleep(0.01)
+        assert len(asyncio.all_tasks()) == before
+        store.away = False
+        await asyncio.sleep(0.01)
+        assert not registry.rooms
+
+
+async def test_a_store_that_cannot_be_used_as_it_should_is_logged_once(
+    quick: None, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    """It has news of another version, stays away, has another time, or is full."""
+    asked, listen, refused = 0, Wayward.listen, list[object]()
+
+    async def listened(own: Wayward, receive: Any, ready: Callable[[], None]) -> None:
+        nonlocal asked
+        asked += 1
+        if asked < 5:
+            raise UnreachableError("away") from OSError("no route to it")
+        await listen(own, receive, ready)
+
+    async def behind(_: Wayward) -> float:
+        return time() - 3.0
+
+    async def full(*given: object) -> int:
+        refused.append(given)
+        raise FullError("The store is full.")
+
+    monkeypatch.setattr(Wayward, "listen", listened)
+    async with kept(store := Wayward()) as (_, upkeep, _, room, _):
+        await store.publish(room.code, {"clock": b'{"type":"another version"}'})
+        await store.publish(room.code, {"clock": CLOCK_PART})
+        await until(lambda: upkeep.rooms == 1)
+        assert room.whole().clock == CLOCK and abs(upkeep.skew) < 0.1
+        monkeypatch.setattr(Wayward, "time", behind)
+        monkeypatch.setattr(Wayward, "present", full)
+        await until(lambda: upkeep.skew > 2.9 and len(refused) > 9)
+    assert upkeep.skew == pytest.approx(3.0, abs=0.1)
+    for said in ("could not be read", "is away: no route to it", "is back after", "clock is +3.0 s off", "is full."):
+        assert caplog.text.count(said) == 1, said
+
+
+async def test_a_class_continues_without_the_store_and_is_written_back(valkey: Valkey) -> None:
+    async with (
+        made("valkey", valkey.url) as one,
+        made("valkey", valkey.url) as other,
+        kept(one) as (registry, _, key, room, leader),
+        kept(other) as (second, *_),
+    ):
+        there, follower = await second.room(room.code), Listener()
+        there.listeners.add(follower)
+        await registry.obey(room, PutQuestion(**CHOICE))
+        await until(lambda: there.question.step)
+        await second.vote(there, "one", Given(**CHOICE, option=1))
+        assert await registry.tally(room)
+        valkey.kill()
+        await until(lambda: any(news.lost for news in follower.news) and room.lost)
+        await registry.show(room, SentPicture(sheet="s", data=b"meanwhile"))
+        assert leader.news[-1].picture and not any(news.picture for news in follower.news)
+        valkey.start()
+        await until(lambda: any(news.picture for news in follower.news) and not there.lost)
+        tally = await second.tally(there)
+        assert tally and tally.now.options == (0, 1, 0)
+        assert await second.led(room.code, key) is there
+
+
+def test_no_spreadsheet_works_a_cell_out() -> None:
+    for text in ("@SUM(A1)", "+1", "-2+3", "\t=1", "\r=1", "＝1"):
+        assert cell(text) == f"'{text}"
+    assert cell("-1e-300") == "-1e-300"
 
 
 def test_phones_that_wait_are_asked_for_for_a_minute_by_different_digits(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -48,14 +211,14 @@ def test_phones_that_wait_are_asked_for_for_a_minute_by_different_digits(monkeyp
     room.listeners |= {leader, follower}
     room.deliver(begun("47", "one"))
     room.deliver(begun("12", "two"))
-    assert told(leader) == [("47",), ("12", "47")] and not told(follower)
     assert room.whole(leads=True).remotes == ("12", "47") and room.whole().remotes is None
     room.deliver(decided(room.parts, "12", is_in=True))
     assert is_in(room.parts, "two") and not is_in(room.parts, "one") and waits(room.parts, "one")
     number = room.number
     monkeypatch.setattr(remotes, "time", lambda: 4e9)
     room.look()
-    assert told(leader)[2:] == [("47",), ()] and room.number != number  # a page that only polls gets it too
+    assert [news.remotes for news in leader.news] == [("47",), ("12", "47"), ("47",), ()] and not follower.news
+    assert room.number != number  # a page that only polls gets it too
     for digits in ("12", "47", "99"):
         with pytest.raises(ValueError, match="No remote control with"):
             decided(room.parts, digits, is_in=True)
@@ -68,7 +231,8 @@ def test_phones_that_wait_are_asked_for_for_a_minute_by_different_digits(monkeyp
 async def test_a_walk_is_read_once_and_limits_of_walks_and_words_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     """If only the store has the walks, each is read once there. Answers to an earlier form of a walk do not count."""
     monkeypatch.setattr(moderation, "MOST", 2)
-    registry, room = await opened()
+    registry = Registry(MemoryStore(), BANK)
+    room = await registry.led(*await registry.open())
     text, read = OWN["mine"], list[str]()
     monkeypatch.setattr(question_bank, "read_walk", lambda *given: (read.append(given[1]), read_walk(*given))[1])
     for n in range(registry_of.MOST_OWN):
@@ -98,30 +262,26 @@ MOST_WORK = 20_000
 """Function calls in one turn of the event loop: a few milliseconds."""
 
 
-class Work:
-    """Measures the most function calls of this thread in one turn of its event loop."""
+@asynccontextmanager
+async def calls_by_turn() -> AsyncIterator[list[int]]:
+    """Count the function calls of this thread in each turn of its event loop."""
+    calls = [0]
 
-    def __init__(self) -> None:
-        self.most = self._calls = 0
+    def count(frame: object, event: str, of: object) -> None:
+        calls[-1] += event in ("call", "c_call")
 
-    def _count(self, frame: object, event: str, of: object) -> None:
-        self._calls += event in ("call", "c_call")
-
-    async def _look(self) -> None:
+    async def turn() -> None:
         while True:
-            self._calls = 0
+            calls.append(0)
             await asyncio.sleep(0)
-            self.most = max(self.most, self._calls)
 
-    async def __aenter__(self) -> Work:
-        self._looking = asyncio.create_task(self._look())
-        sys.setprofile(self._count)
-        return self
-
-    async def __aexit__(self, *error: object) -> None:
+    turning = asyncio.create_task(turn())
+    sys.setprofile(count)
+    try:
+        yield calls
+    finally:
         sys.setprofile(None)
-        self._looking.cancel()
-        await asyncio.gather(self._looking, return_exceptions=True)
+        turning.cancel()
 
 
 @pytest.mark.parametrize(
@@ -138,13 +298,13 @@ async def test_no_number_of_answers_holds_the_event_loop(
 
     monkeypatch.setattr(SketchStep, "written", write)
     kept = MemoryStore(size=2**30)
-    async with taught(kept) as (_, url, lesson):
+    async with taught(kept) as (_, _, lesson):
         await fill(lesson, kept, asked, votes=3 if WHOLE else 1)
         for path in READ:
-            async with Work() as work:
-                replied = await called(url, f"/class/{lesson.code}/{path.format(**asked)}", word=lesson.key)
+            async with calls_by_turn() as calls:
+                replied = await lesson.ask(path.format(**asked))
             assert (replied.status == 200 and str(ANSWERS) in replied.text) or len(replied.text) > 100 * ANSWERS
-            assert work.most < MOST_WORK
+            assert max(calls) < MOST_WORK
             assert path == "answers.csv" or not written  # sketches are not encoded if nobody reads them
             written.clear()
 

@@ -1,23 +1,32 @@
-"""The live class over HTTP: who comes in, what is heard, how the lead is passed on, and how a lost class comes back."""
+"""The live class over HTTP: who comes in, what is heard, how the lead is passed on, and how a lost class comes back;
+its streams, with slow readers, several tabs and sleeping phones.
+"""
 
 from __future__ import annotations
 
 import asyncio
 import base64
+import re
+import socket
 from csv import DictReader
 from typing import Any
 
 import pytest
 
 from components.live_class import follower_routes, instructor_routes, lead_routes, registry
+from components.live_class import registry as registries
+from components.live_class import room as rooms
 from components.live_class.codes import Keys, code_of, join_key
+from components.live_class.room import name_of
 from components.serving import worker_process
 from components.serving.shell import version
 from components.serving.worker_process import ReadingProcess
-from tests.live_class.caller import Answered, Class, Remote, called
+from tests.live_class.caller import Answered, Class, Remote, Stream, called
 from tests.live_class.questions import OWN
 from tests.live_class.served import CHOICE, served, taught
+from tests.live_class.stores import Valkey, made
 from tests.page.scripts import text_of
+from tests.serving.served import until
 from tests.serving.visitor import Visitor
 
 
@@ -66,16 +75,18 @@ async def test_a_follower_learns_what_is_said_of_its_answer_when_it_is_shown_and
         assert (row["question"], row["right"]) == ("How long does one swing take?", "yes")
 
 
-async def test_pages_without_a_stream_poll_and_get_all_news() -> None:
-    """An instructor's page gets its own news one by one, and none of another replica."""
+async def test_pages_without_a_stream_poll_and_get_all_news(monkeypatch: pytest.MonkeyPatch) -> None:
+    """An instructor's page gets its own news one by one, and none of another replica. It sends a walk that waits for
+    others once more, and gives up after a final refusal.
+    """
     async with taught() as (server, _, lesson):
-        token, path = await lesson.token(), "now?after="
+        token, path, registry = await lesson.token(), "now?after=", server.classes.registry
         await lesson.order("put", **CHOICE)
         first, known = (await lesson.ask(path, word=token)).json, (await lesson.ask(path)).json["number"]
         assert first["question"]["step"] == first["question"]["card"]["id"] == "d31-03"
         assert (await lesson.ask(path + first["number"], word=token)).status == 204
         await lesson.voted(token, **CHOICE, option=1)
-        server.classes.registry.rooms[lesson.code].deliver({"deed": b'"next"'})
+        registry.rooms[lesson.code].deliver({"deed": b'"next"'})
         heard = []
         while (answer := await lesson.ask(path + known)).status == 200:
             known = answer.json["number"]
@@ -83,6 +94,11 @@ async def test_pages_without_a_stream_poll_and_get_all_news() -> None:
         assert heard == [(True, ""), (False, "next")]
         for page, word in (("x.9", lesson.key), (first["number"], token)):
             assert "deed" not in (await lesson.ask(path + page, word=word)).text
+        monkeypatch.setattr(registry.bank, "worker", ReadingProcess("none"))
+        monkeypatch.setattr(worker_process, "WAITING", 0)
+        refused = await lesson.order("walk", name="mine", text="")
+        assert (refused.status, refused.headers["Retry-After"]) == (429, "1")
+        assert refused.json["sentence"] == worker_process.BUSY
 
 
 async def test_codes_cannot_be_guessed_and_a_class_that_mistypes_comes_in(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -105,30 +121,20 @@ async def test_codes_cannot_be_guessed_and_a_class_that_mistypes_comes_in(monkey
         assert await enter(lesson.code, "203.0.113.9") == 429
 
 
-async def test_a_remote_control_is_let_in_once_by_the_digits_that_it_shows() -> None:
+async def test_a_remote_control_is_let_in_by_its_digits_and_has_the_answer_and_notes_that_phones_have_not() -> None:
+    noted = OWN["mine"] + 'notes = """\nShow the *real* spring.\n\nThen wait."""\n'
     async with taught() as (_, _, lesson):
-        leader, secret = await lesson.lead(), {"address": await Remote.secret(lesson)}
+        leader, stream, secret = await lesson.lead(), await lesson.follow(), {"address": await Remote.secret(lesson)}
         remote = Remote(lesson, **(await lesson.ask("remote", "PUT", secret, word="")).json)
         assert (await lesson.ask("remote", "PUT", secret, word="")).status == 403
         assert (await leader.until(lambda event: event.get("remotes")))["remotes"] == [remote.digits]
         assert (await remote.look()).json is None and (await remote.press(deed="next")).status == 403
         assert (await remote.decide(digits="10" if remote.digits != "10" else "11")).status == 409
         assert (await remote.decide()).json["control"]
-        await lesson.order("put", walk="d34", step="d34-02")
-        assert (await lesson.ask("steps", word=remote.key)).json[6]["step"] == "d34-07"
-        for done in ({"deed": "next"}, {"deed": "go", "step": "d34-04"}):
-            assert (await remote.press(**done)).status == 204
-            await leader.until(lambda event, done=done: done.items() <= event.items())
         other = await Remote.wait(lesson)
         assert other and (await other.decide("DELETE")).status == 204
         refused = await other.look()
         assert refused.status == 403 and refused.json["sentence"].startswith("The lecturer's screen has not")
-
-
-async def test_a_remote_control_has_the_answer_and_the_notes_before_they_are_shown_and_phones_have_neither() -> None:
-    noted = OWN["mine"] + 'notes = """\nShow the *real* spring.\n\nThen wait."""\n'
-    async with taught() as (_, _, lesson):
-        remote, stream = await Remote.pair(lesson), await lesson.follow()
         for name, text in (("noted", noted), ("why", OWN["why"])):
             await lesson.order("walk", name=name, text=text)
         await lesson.order("put", walk="noted", step="one")
@@ -142,6 +148,10 @@ async def test_a_remote_control_has_the_answer_and_the_notes_before_they_are_sho
             await lesson.voted(await lesson.token(), **asked, text=given)
             now = (await remote.look()).json["tally"]["now"]
             assert now["answered"] == 1 and now["numbers"] == []  # none of them single
+        assert [one["step"] for one in (await lesson.ask("steps", word=remote.key)).json] == ["why", "vote"]
+        for done in ({"deed": "next"}, {"deed": "go", "step": "vote"}):
+            assert (await remote.press(**done)).status == 204
+            await leader.until(lambda event, done=done: done.items() <= event.items())
         for deed, words in (("allow", [True]), ("remove", [])):
             assert (await remote.press(deed=deed, text="secret")).status == 204
             assert [one["shown"] for one in (await remote.look()).json["tally"]["now"]["words"]] == words
@@ -202,16 +212,6 @@ async def test_a_class_is_opened_with_the_instructors_passphrase_where_there_is_
             opened = await called(url, "/class", "POST", word="swinging%20%C3%BCber%20springs")
             assert opened.status == 200
         assert await server.classes.registry.store.rooms() == 3
-
-
-async def test_a_walk_that_waits_for_others_is_refused_for_a_moment_only(monkeypatch: pytest.MonkeyPatch) -> None:
-    """An instructor's page sends it once more, and gives up after a final refusal."""
-    async with taught() as (server, _, lesson):
-        monkeypatch.setattr(server.classes.registry.bank, "worker", ReadingProcess("none"))
-        monkeypatch.setattr(worker_process, "WAITING", 0)
-        refused = await lesson.order("walk", name="mine", text="")
-        assert (refused.status, refused.headers["Retry-After"]) == (429, "1")
-        assert refused.json["sentence"] == worker_process.BUSY
 
 
 SECRET = "a secret of these tests alone"
@@ -286,3 +286,109 @@ async def test_answers_given_back_are_those_of_phones(monkeypatch: pytest.Monkey
         assert len(copies) == 2 + 8 and own.keys() <= copies.keys()
         await lesson.order("put", **CHOICE)
         assert (await lesson.tally())["now"]["options"] == [1, 1 + 2, 1]
+
+
+def unread(lesson: Class, port: int, word: str) -> socket.socket:
+    """Open a stream that nobody reads."""
+    mute = socket.socket()
+    mute.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+    mute.connect(("127.0.0.1", port))
+    head = f"GET /class/{lesson.code}/events HTTP/1.1\r\nHost: 127.0.0.1\r\nAuthorization: Bearer {word}\r\n\r\n"
+    mute.sendall(head.encode())
+    return mute
+
+
+def picture(sheet: object) -> dict[str, bytes]:
+    return {"picture": b'{"sheet":"%s","data":"%s"}' % (str(sheet).encode(), b"A" * 4000)}
+
+
+@pytest.mark.parametrize("leads", [False, True])
+async def test_who_reads_slowly_gets_the_latest_picture_and_each_deed_once_and_who_never_reads_is_let_go(
+    leads: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with taught() as (server, _, lesson):
+        quick, word = await lesson.follow(), lesson.key if leads else await lesson.token()
+        slow, room = unread(lesson, server.port, word), server.classes.registry.rooms[lesson.code]
+        await until(lambda: room.is_led if leads else room.followers == 2)
+        room.deliver({"deed": b'"back"'})
+        for i in range(400):
+            room.deliver(picture(i))
+            await asyncio.sleep(0)
+        room.deliver({"deed": b'"next"'})
+        await quick.until(lambda event: event.get("picture", {}).get("sheet") == "399")
+        slow.settimeout(30)
+        read = b""
+        while (b'"deed":"next"' if leads else b'"sheet":"399"') not in read:
+            read += await asyncio.to_thread(slow.recv, 65536)
+        seen = [int(number) for number in re.findall(rb'"sheet":"(\d+)"', read)]
+        assert len(seen) < 200 and seen == sorted(seen) and seen[-1] == 399
+        assert read.count(b'"deed":"back"') == read.count(b'"deed":"next"') == leads
+        monkeypatch.setattr(follower_routes, "GIVEN_UP", 0.3)
+        async with asyncio.timeout(30):
+            while len(room.listeners) > 1:
+                room.deliver(picture("s"))
+                await asyncio.sleep(0.01)
+        assert not quick.ended
+        slow.close()
+
+
+async def test_a_storm_of_streams_takes_no_places_and_a_phone_at_two_replicas_is_one(
+    valkey: Valkey, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The newest streams of a phone stay open, and so do those of others. Asleep, it is none."""
+    monkeypatch.setattr(follower_routes, "MOST_STREAMS", 2)
+    async with (
+        made("valkey", valkey.url) as store,
+        made("valkey", valkey.url) as other,
+        served(store=store) as (server, url),
+        served(other) as (_, second),
+    ):
+        lesson = await Class.open(url)
+        leader, token = await lesson.lead(), await lesson.token()
+        friend, there = await lesson.follow(second), await Stream(second, lesson.code, token).open()
+        tabs = [await Stream(url, lesson.code, token).open() for _ in range(6)]
+        await until(lambda: sum(tab.ended for tab in tabs) >= 4)
+        room = server.classes.registry.rooms[lesson.code]
+        assert (room.followers, room.places) == (1, 2) and not tabs[-1].ended and not friend.ended
+        await leader.until(lambda event: event.get("here") == 2)
+        assert max(event.get("here", 0) for _, event in leader.heard) == 2  # never three
+        await asyncio.gather(*(tab.close() for tab in (*tabs, there)))
+        await leader.until(lambda event: event is leader.heard[-1][1] and event.get("here") == 1)
+        await until(lambda: len(room.streams) == 1)  # the leader's
+
+
+async def test_a_vote_is_of_somebody_who_follows_or_was_here_a_moment_ago(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(rooms, "SILENCE", 0.05)
+    async with taught() as (server, url, lesson):
+        token, registry = await lesson.token(), server.classes.registry
+        stream = await Stream(url, lesson.code, token).open()
+        early = await lesson.vote(token, **CHOICE, option=0)  # before its question is restored
+        assert early.status == 503 and "no question yet" in early.json["sentence"]
+        await lesson.order("put", **CHOICE)
+        stranger = (await lesson.ask("token", "POST", word="")).json["token"]
+        refused = await lesson.vote(stranger, **CHOICE, option=0)
+        assert refused.status == 503 and refused.json["sentence"].startswith("This phone does not follow")
+        await asyncio.sleep(0.2)
+        await lesson.voted(token, **CHOICE, option=0)
+        await stream.close()
+        await until(lambda: not registry.rooms[lesson.code].follows(name_of(token)))
+        assert (await lesson.vote(token, **CHOICE, option=1)).status == 503
+        await registry.store.name(lesson.code, "another replica", [name_of(token)])
+        await lesson.voted(token, **CHOICE, option=1)
+        assert (await lesson.tally())["now"]["options"] == [0, 1, 0]
+
+
+async def test_one_client_does_not_fill_a_vote(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(registries, "SPARE", 2)
+    async with taught() as (server, _, lesson):
+        await lesson.order("put", **CHOICE)
+        early, late, room = await lesson.token(), await lesson.token(), server.classes.registry.rooms[lesson.code]
+        await lesson.voted(early, **CHOICE, option=1)
+        for _ in range(10):  # joins, votes and leaves
+            token = await lesson.token()
+            await lesson.voted(token, **CHOICE, option=0)
+            del room.polls[name_of(token)]
+        del room.polls[name_of(early)]  # a sleeping phone
+        await lesson.voted(late, **CHOICE, option=2)
+        now = (await lesson.tally())["now"]
+        assert now["answered"] <= 2 + 2 * 3 and now["options"][1:] == [1, 1]

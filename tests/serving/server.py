@@ -8,9 +8,10 @@ import socket
 import subprocess
 import sys
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
 from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
@@ -35,6 +36,7 @@ class Forked:
         self._process.start()
         self.pid: int = self._process.pid
         self.terminate, self.kill = self._process.terminate, self._process.kill
+        self.send_signal: Callable[[signal.Signals], None] = partial(os.kill, self.pid)
 
     def poll(self) -> int | None:
         code: int | None = self._process.exitcode
@@ -45,9 +47,6 @@ class Forked:
         if (code := self.poll()) is None:
             raise subprocess.TimeoutExpired(SERVING, timeout or 0.0)
         return code
-
-    def send_signal(self, number: signal.Signals) -> None:
-        os.kill(self.pid, number)
 
 
 def _serve(arguments: list[str], environment: dict[str, str], log: Path) -> None:
@@ -114,7 +113,7 @@ def serving(
                 stderr=subprocess.STDOUT,
             )
     try:
-        _wait_until_listening(process, port, log)
+        wait_until_listening(process, port, log)
         yield Server(port=port, process=process, log=log)
     finally:
         process.terminate()
@@ -133,7 +132,7 @@ def serving_panel(log: Path) -> Iterator[Server]:
         yield server
 
 
-def _wait_until_listening(process: subprocess.Popen[bytes] | Forked, port: int, log: Path, limit: float = 180) -> None:
+def wait_until_listening(process: subprocess.Popen[bytes] | Forked, port: int, log: Path, limit: float = 180) -> None:
     end = time.monotonic() + limit
     while time.monotonic() < end and process.poll() is None:
         try:

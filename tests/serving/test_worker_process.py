@@ -8,7 +8,6 @@ from concurrent.futures import Future
 from contextlib import closing
 from functools import partial
 from threading import Event
-from types import SimpleNamespace
 
 import msgspec
 import pytest
@@ -26,6 +25,7 @@ from components.state.wire import Packet
 from components.walks import Walks
 from components.walks.links import Scenes
 from tests.page.headless_page import unpacked
+from tests.serving.served import FakeWorker
 
 MINE = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'
 READ, ENDLESS = Reading("mine", MINE), Reading("endless", MINE)
@@ -123,10 +123,11 @@ def test_a_job_that_takes_too_long_is_refused_in_words_and_the_next_is_done(
         assert results(worker.ask(job)) == [own.LATE]
 
 
-def test_a_bounded_number_waits(worker: ReadingProcess) -> None:
+def test_a_bounded_number_waits_and_a_waiting_job_can_be_cancelled(worker: ReadingProcess) -> None:
     asked = [begun(worker, READ), *(worker.ask(READ) for _ in range(own.WAITING + 3))]
+    assert asked.pop(1).cancel()
     GATE.set()
-    assert results(*asked) == ["read"] * (own.WAITING + 1) + [own.BUSY] * 3
+    assert results(*asked) == ["read"] * own.WAITING + [own.BUSY] * 3 and worker.pending == 0
 
 
 def test_networks_take_turns(worker: ReadingProcess) -> None:
@@ -157,40 +158,25 @@ def test_a_network_that_has_used_its_time_is_refused_for_a_while(
         assert results(other.ask(READ, CALM)) == ["read"]
 
 
-# A session and the worker
-
-
-def test_a_session_has_one_job_at_a_time_which_it_can_cancel_and_continues_meanwhile(worker: ReadingProcess) -> None:
-    session, sent, networks = Session(fitted(SCENES["damped"]().value), scenes=SCENES), list[Packet](), list[str]()
-
-    def ask(asked: WorkerJob, network: str = "") -> Future[Replied]:
-        networks.append(network)
-        return worker.ask(asked, network)
-
-    def answers() -> list[tuple[int, str | None]]:
-        return [(told["answer"], told.get("refused")) for told in map(unpacked, sent)]
-
-    session.send, session.worker, session.network = sent.append, SimpleNamespace(ask=ask), CALM
+def test_a_session_has_one_job_at_a_time_which_it_can_cancel_and_continues_meanwhile() -> None:
+    session, sent, fake = Session(fitted(SCENES["damped"]().value), scenes=SCENES), list[Packet](), FakeWorker()
+    session.send, session.worker, session.network = sent.append, fake, CALM
     fit = {"type": "rows", "piece": 0, "of": 1, "t": [0.0, 1.0], "columns": [[0.0, 1.0]], "size": 2}
-    endless = begun(worker, ENDLESS)
     for number in (1, 1):  # a repeated message is answered once
         session.handle({**fit, "number": number})
-        assert worker.pending == 2 and not sent
+        assert len(fake.jobs) == 1 and not sent
     session.handle({"type": "walk", "name": "mine", "text": MINE, "number": 2})
     session.handle({"type": "set", "values": {"zeta": 0.5}, "number": 3})
     session.handle({"type": "cancel_fit", "number": 4})
     session.handle({**fit, "number": 5})
-    assert [number for number, _ in answers()] == [2, 3, 4] and answers()[0][1] == ONE_AT_A_TIME
-    GATE.set()
-    assert results(endless, worker.ask(READ)) == [own.WALK_TOO_LONG, "read"]
-    assert answers()[3:] == [(5, own.FIT_TOO_LONG)] and networks == [CALM, CALM]
-    GATE.clear()
-    BEGAN.clear()
-    endless = begun(worker, ENDLESS)
+    fake.replies[1].set_result(Replied(refused=own.FIT_TOO_LONG))
     session.handle({**fit, "number": 6})
     session.close()
-    GATE.set()
-    assert results(endless, worker.ask(READ)) == [own.WALK_TOO_LONG, "read"] and len(sent) == 4
+    answers = [(told["answer"], told.get("refused")) for told in map(unpacked, sent)]
+    assert [number for number, _ in answers] == [2, 3, 4, 5]
+    assert (answers[0][1], answers[3][1]) == (ONE_AT_A_TIME, own.FIT_TOO_LONG)
+    assert [one.cancelled() for one in fake.replies] == [True, False, True]
+    assert [network for _, network in fake.jobs] == [CALM] * 3
 
 
 if __name__ == "__main__":
