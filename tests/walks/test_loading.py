@@ -155,6 +155,7 @@ COMPLAINTS: list[tuple[str, str, str, str]] = [
     (GOOD, STEP, TRIAL.replace("modes", "mode") + STEP, "mine, trial: “mode” is not a"),
     (GOOD, STEP, TRIAL * 4 + STEP, "at most 3 scenes to try"),
     *((ENERGY, TITLE, f"{TITLE}end = {end}\n", "mine: end has at most 5 sentences") for end in ('"a"', MANY)),
+    (ENERGY, TITLE, f'{TITLE}end = ["So $\\\\left($."]\n', "mine, end[0]: “\\left(” cannot be set as a formula."),
     (TYPED, "1/4", "1 kg", "answer: “1 kg” is in kg"),
     (ENERGY, f'{OF_TAU}, unit = "s", tol = 0.1', "tol = 1", "neither of nor is"),
     (ENERGY, OF_TAU, 'of = "period"', "answer.of: “period” has a name that the scene does not have, period; it has: "),
