@@ -300,7 +300,7 @@ class PushHarmonics:
         bool
             True if |f_n| is more than 1e-12 times |f_1|.
         """
-        f = self.push.sizes(np.array([1.0, n]))
+        f = self.push.sizes(np.array([1.0, n], float))
         return bool(f[1] > _NONE * f[0])
 
     @property

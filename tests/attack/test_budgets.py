@@ -123,3 +123,8 @@ def test_ticks_far_off_their_unit_can_be_read() -> None:
     parameters = {"k": 5e-324, "x_0": 0.0, "m": sys.float_info.min}
     state = {"scene": "energy", "parameters": parameters, "frame": {}}
     visit("oscillator", {}, [{"type": "open", "state": state}, {"type": "set", "values": {"m": 5e-324}}])
+
+
+def test_harmonics_of_a_quick_mass() -> None:
+    """The number of the harmonic at the peak has 40 digits. No integer of NumPy holds it."""
+    visit("driven", {"push": "pulses", "k": 1e80, "view": "harmonics"}, [])

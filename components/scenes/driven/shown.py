@@ -53,6 +53,11 @@ def _hand(symbol: str, case: DrivenCase, ahead: float) -> ExactMotion | None:
     return rotating(symbol, cmath.rect(1.0, ahead - case.lag), case.omega) if case.has_dial else None
 
 
+def _count(number: int) -> str:
+    """Return the number of a harmonic: all digits of less than a million."""
+    return str(number) if number < 1e6 else three(number)
+
+
 def _line(rate: float) -> ExactMotion:
     return harmonic_motion("line", Harmonic((), (0.0, rate)), lambda t: rate * t)
 
@@ -158,8 +163,8 @@ class DrivenShown(DrivenCase):
     repeats = value(lambda c: not c.is_once)
     on_peak = value.optional(lambda c: c.harmonics.on_peak or None if c.harmonics else None, "", "harmonic at the peak")
     strongest = value.optional(lambda c: c.harmonics.strongest[0] if c.harmonics else None, "", "strongest harmonic")
-    n_peak = value.optional(lambda c: str(c.harmonics.on_peak) if c.harmonics else None)
-    n_strongest = value.optional(lambda c: str(c.harmonics.strongest[0]) if c.harmonics else None)
+    n_peak = value.optional(lambda c: _count(c.harmonics.on_peak) if c.harmonics else None)
+    n_strongest = value.optional(lambda c: _count(c.harmonics.strongest[0]) if c.harmonics else None)
     X_strongest = value.optional(lambda c: c.harmonics.strongest[1] if c.harmonics else None, "m", "size of its swing")
     harmonic_growth = value.optional(lambda c: c.harmonics.mass.growth if c.harmonics else None)
     meets = value(lambda c: c.met())
