@@ -32,6 +32,7 @@ QUANTITIES = "the displacement", "the velocity"
 _CLOSE = Effort(2.0**-56, of_largest=True)
 _MOST = 8000  # digits
 _SHORT, _TERMS = 0.1, 12  # rad, and terms of a Taylor series
+_DECAYED = 80.0  # twice the exponent after which a swing is below a rounding error
 
 
 class PushedMotion(NamedTuple):
@@ -166,22 +167,24 @@ class PushedMass:
         rate = self._rate(piece, start)
         v, a = self._summed(tau, self._expansion(*rate), lambda exactly, t: exactly.forced(t, rate[0]).at(rate[1]))
         rise = np.full_like(tau, float(piece.rise) / self.m * self.push.omega / (2 * math.pi))
-        return self._advanced(x, v, a, rise, rest)
+        return self._advanced(x, v, a, rise, tau, rest)
 
-    def _advanced(self, x: Array, v: Array, a: Array, rise: Array, rest: Array) -> tuple[Array, Array]:
+    def _advanced(self, x: Array, v: Array, a: Array, rise: Array, tau: Array, rest: Array) -> tuple[Array, Array]:
         """x and v a moment later, by their Taylor series: a quick mass may swing by a share of a turn in that moment.
 
-        `rise` (n,) is F'/m. If the faster part has decayed long ago, the slope is enough.
+        `rise` (n,) is F'/m. After more than a tenth of a radian the slope is enough if the faster part has decayed by
+        `tau`. If it still swings, more than 1e15 rad after its start, the rounding error of the time is left.
         """
-        damping, square = self.c / self.m, self.k / self.m
-        short = np.where(max(damping, math.sqrt(square)) * np.abs(rest) < _SHORT, rest, 0.0)
-        power, last, now = rest, v, a
-        x, v = x + v * rest, v + a * rest
+        damping, swing = self.c / self.m, math.sqrt(self.k / self.m)
+        short = np.where(max(damping, swing) * np.abs(rest) < _SHORT, rest, 0.0)
+        # The terms of v: its derivatives alone would leave the range of doubles.
+        last, now, push = v, a * short, rise * short * short / 2
+        slope = np.where((short != 0) | (damping * tau > _DECAYED), rest, 0.0)
+        x, v = x + v * slope, v + a * slope
         for n in range(2, _TERMS):
-            power = power * short / n
-            later = rise - damping * now - square * last
-            x, v = x + now * power, v + later * power
-            last, now, rise = now, later, 0.0 * rise
+            later = push - damping * short * now / n - (swing * short) ** 2 * last / (n * (n - 1))
+            x, v = x + now * short / n, v + later
+            last, now, push = now, later, 0.0 * push
         return x, v
 
     def _rate(self, piece: Piece, start: PhasePoint) -> tuple[Piece, PhasePoint]:
@@ -221,7 +224,7 @@ class PushedMass:
         v = _combined(zip(hi, lo, (dA, dB, B, E2), strict=True))
         damping, square = self.c / self.m, self.k / self.m
         a = -square * dB * hi[0] - (damping * dB + square * B) * hi[1] + dB * hi[2] + B * hi[3]
-        x, v = self._advanced(x, v, a, hi[3], places.rest)
+        x, v = self._advanced(x, v, a, hi[3], places.tau, places.rest)
         return PushedMotion(t, in_range(QUANTITIES[0], x), in_range(QUANTITIES[1], v))
 
     def force(self, t: ArrayLike) -> Array:
