@@ -225,3 +225,13 @@ def test_at_first_they_are_what_the_last_period_brought(kind: Any, end: float) -
             put_in = sum(3.0 * (v[n] + v[n + 1]) / 2 for n in into)
             put_in += 3.0 * (-0.4 + 3.0 / LOSSY.m / 2) if last < steady.period else 0.0
         assert found.P_in[i] * steady.period == pytest.approx(put_in, rel=2e-3, abs=2e-3)
+
+
+@pytest.mark.parametrize("k", [1e30, 1e80])
+@pytest.mark.parametrize("kind", ["square", "pulses", "triangle"])
+def test_a_mass_that_turns_often_in_the_last_bit_of_a_time_stays_in_its_range(kind: Any, k: float) -> None:
+    push, t = PeriodicPush(kind=kind, size=2.0, omega=4.4, width=0.2), np.linspace(0.0, 6.0, 200)
+    mass = DampedOscillator(m=1.0, c=2.5, k=k).pushed(push)
+    for motion in (mass.steady(t), mass.from_rest(t)):
+        assert np.abs(motion.x).max() < 10 * push.size / k
+        assert np.abs(motion.v).max() < 10 * push.size / math.sqrt(k)
