@@ -174,10 +174,12 @@ def test_pictures_choose_a_system_a_speed_and_presets_and_another_unit_changes_l
     desk.get_by_role("button", name="knots").click()
     expect(field).to_have_value("88.87")
     expect(desk.get_by_label("v0, speed of steady flight, knots").first).to_be_visible()
-    turned(desk, "phugoid", {"view": "period"})
+    turned(desk, "phugoid", {"view": "limits"})
     loop = desk.get_by_role("button", name="Loop, 1")
     loop.click()
     expect(loop).to_have_attribute("aria-pressed", "true")
+    expect(desk.locator("[data-value=verdict]:visible").first).to_contain_text("loops")
+    turned(desk, "phugoid", {"view": "period"})
     desk.get_by_role("button", name="Speed of: Glider").click()  # a flag of the plot
     expect(desk.get_by_role("button", name="Glider", exact=True)).to_have_attribute("aria-pressed", "true")
     assert desk.evaluate("oscillations.shown.settings.v_0.value") == pytest.approx(90 * 0.3048)
