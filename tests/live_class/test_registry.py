@@ -96,6 +96,7 @@ async def test_news_during_the_look_up_of_a_class_is_received() -> None:
     store = Wayward()
     async with kept(store) as (registry, _, key, room, _):
         code = registry.rooms.pop(room.code).code
+        await store.keep(code, {"clock": msgspec.json.encode(RunClock(t=9.0, rate=0.0, end=20.0, at=0.0))})
         store.meanwhile = lambda: MemoryStore.keep(store, code, {"clock": CLOCK_PART})
         room = await registry.room(code)
         assert room.whole().clock == CLOCK and await registry.led(code, key) is room
