@@ -31,12 +31,25 @@ def linked(query: Query, scenes: Scenes, walks: Walks) -> tuple[Link, str]:
     return dataclasses.replace(link, problems=[*problems, *link.problems]), ""
 
 
+def _drawn(kind: type[Scene], state: State, *, is_covered: bool) -> PageState:
+    """Return the page state of a link, as a page may have shown it: other views may need numbers beyond doubles."""
+    try:
+        return page_state_in(kind, state)
+    except ValueError as reason:
+        if is_covered:
+            raise
+        try:
+            return page_state_in(kind, state, in_view=True)
+        except ValueError:
+            raise reason from None
+
+
 def page_state_of(kind: type[Scene], link: Link, step: str = "") -> tuple[PageState, list[str]]:
     """Return the page state of a link, and sentences on its impossible parts."""
     state, problems = replace(state_in(link), step=step), []
     known = replace(state, covered=tuple(cover for cover in state.covered if cover == NEXT))
     try:
-        now = page_state_in(kind, known)
+        now = _drawn(kind, known, is_covered=bool(state.covered))
     except ValueError as reason:
         problems.append(f"{sentence(reason)} The link's parameters were not used.")
         known = State(scene=state.scene, step=state.step)

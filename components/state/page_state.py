@@ -245,11 +245,13 @@ def _turned(now: PageState, said: Open, scenes: Scenes) -> PageState:
         raise RefusalError({"state": f"{sentence(error)} Still drawn as before."}) from error
 
 
-def page_state_in(kind: type[Scene], state: State, now: PageState | None = None, *, keeps: bool = False) -> PageState:
+def page_state_in(
+    kind: type[Scene], state: State, now: PageState | None = None, *, keeps: bool = False, in_view: bool = False
+) -> PageState:
     """Return the page state for a state of a scene. Raises ValueError, with a reason, if it is not possible.
 
     Anything the state omits is taken from `now`. With `keeps`, the frame stays if only quantities change; for another
-    scene, window or display it is fitted.
+    scene, window or display it is fitted. With `in_view`, only what the view shows must be possible.
     """
     scene, held = scene_in(kind, state), other_in(kind, state.held)
     held = held and shown_as(held, scene)
@@ -262,7 +264,7 @@ def page_state_in(kind: type[Scene], state: State, now: PageState | None = None,
     asked = before or (same and same.before)
     if asked and asked.frame == frame:
         frame = asked.drawn.frame  # not only the parts in the state, so that the answer is drawn in the same frame
-    is_whole = not (now and now.in_view) or bool(state.step or state.covered or state.show)
+    is_whole = not (in_view or (now and now.in_view)) or bool(state.step or state.covered or state.show)
     if same and (scene.key, _key(held), frame) == (same.scene.key, _key(same.held), same.frame):
         drawn = same.drawn if same.is_whole else _draw(is_whole, scene, held, "kept", same.drawn.frame)
     else:

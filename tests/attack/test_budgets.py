@@ -118,13 +118,20 @@ def test_extreme_windows(scene: type[Scene], window: float) -> None:
     visit(scene.slug, {}, [{"type": "set", "values": {"window": window}}])
 
 
-def test_ticks_far_off_their_unit_can_be_read() -> None:
-    """A kept frame grows to 5e16 m for the smallest mass on the softest spring. It was once labelled −4e+16."""
-    parameters = {"k": 5e-324, "x_0": 0.0, "m": sys.float_info.min}
-    state = {"scene": "energy", "parameters": parameters, "frame": {}}
-    visit("oscillator", {}, [{"type": "open", "state": state}, {"type": "set", "values": {"m": 5e-324}}])
+SOFT = {"scene": "energy", "parameters": {"k": 5e-324, "x_0": 0.0, "m": sys.float_info.min}, "frame": {}}
 
 
-def test_harmonics_of_a_quick_mass() -> None:
-    """The number of the harmonic at the peak has 40 digits. No integer of NumPy holds it."""
-    visit("driven", {"push": "pulses", "k": 1e80, "view": "harmonics"}, [])
+@pytest.mark.parametrize(
+    ("slug", "link", "sent"),
+    [
+        # A kept frame grows to 5e16 m for the smallest mass on the softest spring. It was once labelled −4e+16.
+        ("oscillator", {}, [{"type": "open", "state": SOFT}, {"type": "set", "values": {"m": 5e-324}}]),
+        # The number of the harmonic at the peak has 40 digits. No integer of NumPy holds it.
+        ("driven", {"push": "pulses", "k": 1e80, "view": "harmonics"}, []),
+        # The square of the frequency, which another view shows, leaves the range of doubles.
+        ("oscillator", {}, [{"type": "set", "values": {"m": 5e-324, "x_0": 0.0}}]),
+    ],
+    ids=["ticks far off their unit", "harmonics of a quick mass", "beyond doubles in another view"],
+)
+def test_what_a_search_once_found(slug: str, link: ExtremeValues, sent: list[Message]) -> None:
+    visit(slug, link, sent)

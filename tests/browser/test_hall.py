@@ -1,4 +1,4 @@
-"""The hall: large type in every view; every step of every walk, led by a clicker or keys, and with votes.
+"""The hall: large type in every view; every step of every walk, led by a clicker, keys or touch, and with votes.
 Nothing scrolls, is cut off or is too small, and each headline and each explanation is seen.
 """
 
@@ -22,10 +22,10 @@ from components.walks.questions.point import PointStep
 from components.walks.questions.sketch import SketchStep
 from components.walks.subject import Subject
 from components.walks.walk import Step
-from tests.browser.classroom import FILLED, LED, Open, joined, put, sent, taught
+from tests.browser.classroom import FILLED, FRAME, LED, Open, joined, put, sent, taught
 from tests.browser.fixtures import READY
 from tests.browser.looks import LAID, LOW, SCROLLED, TAUGHT, faults, in_hall
-from tests.browser.touch import middle, value
+from tests.browser.touch import Finger, middle, stroke, value
 from tests.browser.waiting import MINE, clicked, drop, passed, seek, turned
 from tests.grids import WHOLE, sample
 from tests.live_class.caller import call
@@ -36,8 +36,8 @@ from tools.look import faults_of
 pytestmark = pytest.mark.browser
 WALKS = load_walks(())
 NAMES = ["tour", "d31", "d32-33", "d34", "waves"]
-SLOWER = [f"{name} {by}" for by in ("clicker", "keys") for name in NAMES if (name, by) != ("tour", "keys")]
-LEADS = ["tour keys", *(pytest.param(led, marks=pytest.mark.slow) for led in sample(SLOWER, 6))]
+SLOWER = [f"{name} {by}" for by in ("clicker", "keys", "touch") for name in NAMES if (name, by) != ("tour", "keys")]
+LEADS = ["tour keys", *(pytest.param(led, marks=pytest.mark.slow) for led in sample(SLOWER, 5))]
 HEIGHT = 720
 WORST = {
     *("d31-02", "d31-07", "d31-09", "d34-02", "d34-05", "d34-06", "d34-09", "d34-10", "d34-16"),
@@ -95,26 +95,44 @@ def wordiest(step: Step) -> int | str:
     return f"{step.wrong(Subject('', step, SCENES))[longest]:.3g}"
 
 
-def answered(page: Page, step: Step) -> None:
-    """Answer with keys."""
-    if isinstance(step, ChoiceStep):
+def answered(page: Page, step: Step, by: str) -> None:
+    """Answer with keys or a finger."""
+    if isinstance(step, ChoiceStep) and by == "touch":
+        page.locator(f".answers [data-option='{wordiest(step)}']").tap()
+    elif isinstance(step, ChoiceStep):
         place = page.locator(".answers [data-option]").evaluate_all(
             "(all, i) => all.findIndex(one => one.dataset.option === i)", str(wordiest(step))
         )
         page.keyboard.press(f"{place + 1}")
     elif isinstance(step, NumberStep):
         page.get_by_role("textbox", name="Your answer").fill(str(wordiest(step)))
+    elif by == "touch":
+        frame = FRAME.replace(".pad", ".marker") if isinstance(step, PointStep) else FRAME
+        left, top, width, height = page.evaluate(frame)
+        stroke(Finger(page), [(left + share * width, top + share * height) for share in (0.3, 0.5, 0.7)])
     elif isinstance(step, PointStep):
         page.locator(".pill-mark").press("ArrowRight")
     else:
         for key in ("Enter", *["Shift+ArrowRight"] * 9):
             page.get_by_role("application").press(key)
+
+
+def forward(page: Page, step: Step, by: str) -> None:
+    """Show the answer to a question, after an answer if keys or fingers lead."""
+    if by == "clicker":
+        return clicked(page)
+    answered(page, step, by)
+    if by == "touch":
+        return page.locator(FILLED).tap()
     page.evaluate("document.activeElement.blur()")
+    return page.keyboard.press("r")
 
 
 def onward(page: Page, by: str) -> None:
     if by == "clicker":
         clicked(page)
+    elif by == "touch":
+        page.locator(FILLED).tap()
     else:
         page.locator(FILLED).press("Enter")
 
@@ -130,11 +148,10 @@ def explained(page: Page, step: Step, by: str) -> Iterator[str]:
         yield from page.evaluate(HIDDEN, [".card .follows .lines"])
 
 
-def with_room(page: Page, step: Step) -> Iterator[str]:
-    """Faults of a step in all that it shows, answered by keys."""
+def with_room(page: Page, step: Step, by: str) -> Iterator[str]:
+    """Faults of a step in all that it shows."""
     yield from (f"question: {fault}" for fault in faults_of(page, HEIGHT))
-    answered(page, step)
-    page.keyboard.press("r")
+    forward(page, step, by)
     page.wait_for_function(TAUGHT)
     yield from (f"answer: {fault}" for fault in faults_of(page, HEIGHT))
     if step.id not in WORST:
@@ -168,15 +185,15 @@ def on_a_desk_and_a_phone(page: Page) -> Iterator[str]:
 @pytest.mark.parametrize("led", LEADS)
 def test_alone(led: str, server: Server, new_page: Callable[..., Page]) -> None:
     name, by = led.split()
-    page = new_page(1280, HEIGHT)
+    page = new_page(1280, HEIGHT, has_touch=by == "touch")
     page.goto(f"{server.url}?walk={name}&projector")
     found: list[str] = []
     for step in WALKS[name].steps:
         page.wait_for_function(ASKED, arg=step.id)
         if by == "keys":
-            found += [f"{step.id}: {fault}" for fault in with_room(page, step)]
+            found += [f"{step.id}: {fault}" for fault in with_room(page, step, by)]
         else:
-            clicked(page)
+            forward(page, step, by)
             page.wait_for_function(TAUGHT)
         found += [f"{step.id}: {fault}" for fault in explained(page, step, by)]
         if by == "clicker":

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from time import time
 from typing import Any
 
 from playwright.sync_api import Locator, Page
@@ -11,6 +12,7 @@ from tests.browser.waiting import QUIET, passed, seek
 from tools.browsers.driven import DrivenWindow
 
 Point = tuple[float, float]
+RESTS = 0.4  # seconds
 FREE = f"!oscillations.page.hand.grab && !oscillations.page.compare.undoGroup && {QUIET}"
 """No hand holds anything, and the server has answered."""
 OUTLINE = "getComputedStyle(document.activeElement).outlineStyle"
@@ -61,14 +63,18 @@ def stopped(page: Page, t: float = 0.3) -> None:
 
 
 class Finger:
-    """A finger, with the methods of a mouse."""
+    """A finger, with the methods of a mouse. It rests before it is lifted.
+
+    Without a rest, the browser takes it for a throw and ignores the next tap, as it does while a page rolls.
+    """
 
     def __init__(self, page: Page) -> None:
         self.browser, self.at = page.context.new_cdp_session(page), {"x": 0.0, "y": 0.0}
         self.is_down = False
 
     def _send(self, kind: str) -> None:
-        self.browser.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [self.at] if self.is_down else []})
+        points, when = ([self.at], time() - RESTS) if self.is_down else ([], time())
+        self.browser.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points, "timestamp": when})
 
     def move(self, x: float, y: float) -> None:
         self.at = {"x": x, "y": y}
