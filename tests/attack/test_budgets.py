@@ -128,10 +128,12 @@ SOFT = {"scene": "energy", "parameters": {"k": 5e-324, "x_0": 0.0, "m": sys.floa
         ("oscillator", {}, [{"type": "open", "state": SOFT}, {"type": "set", "values": {"m": 5e-324}}]),
         # The number of the harmonic at the peak has 40 digits. No integer of NumPy holds it.
         ("driven", {"push": "pulses", "k": 1e80, "view": "harmonics"}, []),
+        # In so short a window nothing moves: the axis had no length.
+        ("absorber", {"window": 1e-80, "omega": 1e-80, "x1_0": 0.01, "view": "rest"}, []),
         # The square of the frequency, which another view shows, leaves the range of doubles.
         ("oscillator", {}, [{"type": "set", "values": {"m": 5e-324, "x_0": 0.0}}]),
     ],
-    ids=["ticks far off their unit", "harmonics of a quick mass", "beyond doubles in another view"],
+    ids=["ticks far off their unit", "harmonics of a quick mass", "nothing moves", "beyond doubles in another view"],
 )
 def test_what_a_search_once_found(slug: str, link: ExtremeValues, sent: list[Message]) -> None:
     visit(slug, link, sent)

@@ -187,7 +187,7 @@ def rest_of(
         )
     room = 0.08 * (high - low)
     ticks = nice_ticks(unit.place(low), unit.place(high), 3) if high > low else (0.0,)
-    axis = replace(unit, start=low - room, end=high + room or unit.end, ticks=ticks)
+    axis = replace(unit, start=low - (room or abs(low)), end=high + (room or abs(high) or unit.end), ticks=ticks)
     names = tuple(columns)
     drawn, sent = (names, {}) if motion.in_doubles else ((), {"t": motion.t, **columns})
     traces = Traces(
