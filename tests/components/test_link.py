@@ -33,6 +33,8 @@ def test_link_carries_what_is_covered_and_what_of_the_frame_is_not_fitted() -> N
     assert fitted(scene.value).query == "scene=coupled&hidden=x1.slow,x2&m1=1e22&k2=3&energy=modes&view=motion"
     edge = Frame(ranges={"x": (-sys.float_info.max, 0.0)}, speed=sys.float_info.max, given=True)
     assert carried(edge) == edge
+    query = write_query(State(scene="coupled", parameters={"window": None}), COUPLED)
+    assert "&window=auto&" in query and read(query).values["window"] is None
 
 
 @pytest.mark.parametrize(

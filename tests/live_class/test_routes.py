@@ -8,6 +8,7 @@ import asyncio
 import base64
 import re
 import socket
+import time
 from csv import DictReader
 from typing import Any
 
@@ -182,7 +183,7 @@ async def test_another_computer_leads_with_a_word_that_is_good_once() -> None:
 
 
 @pytest.mark.parametrize("public", ["", "https://lecture.example/osc/"])
-async def test_the_address_to_join_at_leads_to_the_page_of_a_class_which_has_no_session(public: str) -> None:
+async def test_neither_the_address_to_join_at_nor_the_clock_takes_a_session(public: str) -> None:
     async with taught(public_url=public) as (server, url, lesson):
         assert lesson.opened["address"] == f"{public or url}{lesson.code}?join={join_key(lesson.key)}"
         assert "<script" not in lesson.opened["square"] and lesson.opened["square"].startswith("<svg")
@@ -196,6 +197,8 @@ async def test_the_address_to_join_at_leads_to_the_page_of_a_class_which_has_no_
         for path, sentence in (("/EUWO", follower_routes.NO_CODE), ("/EUW55", "There is no such page here.")):
             answer = await called(url, path)
             assert answer.status == 404 and sentence in answer.text
+        clock = float((await called(url, "/class/time")).text)
+        assert abs(clock / 1000 - time.time()) < 600
         assert (await called(url, "/?class=K7HM")).status == 200 and not server.lecture.get_sessions("/")
 
 

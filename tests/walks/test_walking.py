@@ -12,12 +12,12 @@ import pytest
 from app import visited
 from components.language.messages import Given
 from components.live_class.question_bank import QuestionBank
-from components.quantities.axes import Axis
+from components.quantities.axes import Axis, nice_axis
 from components.scenes import SCENES
 from components.state.covers import PLOT, VALUE
 from components.state.scene_sheet import plots
 from components.walks.cards import walk_sheet
-from components.walks.features import Feature, Seen
+from components.walks.features import Feature, Seen, Zero
 from components.walks.loading import load_walks, steps_of
 from components.walks.questions.sketch import SketchStep
 from components.walks.sketch import Ranges, Sketch, sketch, turns
@@ -121,6 +121,12 @@ def test_a_sketch_gets_a_reply_on_its_features(page: Page, step: SketchStep) -> 
     assert nothing["right"] is False and not all(found["has"] for found in nothing["findings"])
     assert all("missed" in found["words"] for found in nothing["findings"] if not found["has"])
     assert given(page, step.id)["lesson"]["right"] is None
+
+
+def test_a_rounding_error_beside_the_axis_is_written_as_zero() -> None:
+    axes = PlotAxes(nice_axis(0.0, 2.0, "s"), nice_axis(-1.0, 1.0, "m"))
+    names = [Zero(at=at, tol=0.1).called(axes) for at in (1e-12, 0.5)]
+    assert names == ["The zero at 0 s", "The zero at 0.5 s"]
 
 
 def test_a_wrong_answer_says_where_it_would_be_right(page: Page) -> None:
