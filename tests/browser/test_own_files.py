@@ -308,6 +308,7 @@ def test_every_kind_of_file_is_read_or_refused_in_a_sentence(measured: Page) -> 
     expect(again).to_be_hidden()
 
 
+@pytest.mark.slow  # it records for half a minute
 def test_a_phone_records_its_own_acceleration(
     new_page: Callable[..., Page], open_scene: Callable[..., Page], measured: Page
 ) -> None:
