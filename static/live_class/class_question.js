@@ -199,7 +199,7 @@ export class ClassQuestion {
     if (card === this.card && !closed && !lesson) delivery.resend(this.name)
   }
 
-  /** Shows this phone's earlier answer after a reload, or when the same question is asked again. */
+  /** Shows this phone's answer that counts: after a reload, when a question is asked again, with the lesson. */
   #restore() {
     const {given} = this
     this.sureness.setTo(given?.sure ?? 0)
@@ -238,8 +238,7 @@ export class ClassQuestion {
    * while the lesson was on its way does not. @param {Card} card @param {page.Lesson} lesson
    */
   #show(card, lesson) {
-    if (this.given) card.question.restore(this.given)
-    this.#settle()
+    this.#restore()
     card.teach({...lesson, next: ""})
     this.#split(card, lesson)
   }

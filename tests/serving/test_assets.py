@@ -194,6 +194,7 @@ def test_pandas_reads_the_numbers_of_an_address_and_the_file_says_where_it_is_fr
         ("scene=coupled&cover=plot:nothing", "“plot:nothing” cannot be covered here."),
         ("scene=oscillator&m=1e308&k=1e308&x_0=1e308&v_0=1e308", "The link"),
         ("scene=driven&omega=1e150", "takes more digits of arithmetic than are allowed"),
+        ("scene=oscillator&m=5e-324&x_0=0", "The motion does not fit this time window"),
     ],
 )
 def test_what_cannot_be_is_refused_in_a_sentence(server: Server, query: str, sentence: str) -> None:

@@ -1,4 +1,4 @@
-"""Who gets a session: trusted proxies, limits for each network, the waiting line; and no session is left open."""
+"""Sessions: trusted proxies, limits for each network, the waiting line, and the end of each session."""
 
 from __future__ import annotations
 

@@ -217,7 +217,7 @@ PERIOD = feature(f="period", **{"is": 1.0}, tol=0.1)
 
 ANGULAR = -0.15 * np.interp((T - 0.02) % 1, [0, 0.25, 0.75, 1], [0, 1, -1, 0])
 ANGULAR += np.random.default_rng(1).uniform(-0.004, 0.004, len(T))
-"""By a trembling, rather angular hand, a little late and a little low."""
+"""Sketches by a hand that shakes a little, draws corners, and is slightly late and low."""
 FIRST, NONE = T <= 0.6, [False] * 5
 
 
