@@ -1,7 +1,5 @@
 """Grids of values: a sample for `make test` and `make rest`, all of them for `make test-all` and `make nightly`."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Sequence
 from typing import TypeVar

@@ -9,8 +9,6 @@ damping in between.
         now = state_of(link)  # skips a link that the scene refuses
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import replace

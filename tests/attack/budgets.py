@@ -1,7 +1,5 @@
 """Work measured by counting function calls. The count is the same on every machine, unlike a time."""
 
-from __future__ import annotations
-
 import sys
 from collections.abc import Callable
 from types import FrameType

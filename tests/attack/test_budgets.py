@@ -2,8 +2,6 @@
 stays consistent after any link or message: a short form of `make attack`.
 """
 
-from __future__ import annotations
-
 import sys
 from functools import partial
 

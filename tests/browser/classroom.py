@@ -1,7 +1,5 @@
 """A class for tests: the instructor's window, phones that join it, and a hand that draws."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable
 

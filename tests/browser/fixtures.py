@@ -1,7 +1,5 @@
 """Fixtures of the browser tests: a running app, a Chromium, and pages that fail the test on a fault."""
 
-from __future__ import annotations
-
 import os
 import re
 from collections.abc import Callable, Iterator

@@ -2,8 +2,6 @@
 hall, also parts that scroll or are too small for the last row.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from pathlib import Path
 from typing import cast

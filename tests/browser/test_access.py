@@ -1,7 +1,5 @@
 """The page by keys and for screen readers: the Tab key, tabs, the navigation, forced colours, what is announced."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Callable

@@ -1,7 +1,5 @@
 """A class of two phones in lectures of a step of each kind, from files: a clicker leads, a remote control looks on."""
 
-from __future__ import annotations
-
 import csv
 import io
 import re

@@ -2,8 +2,6 @@
 killed, whose requests get lost, or that needs a passphrase.
 """
 
-from __future__ import annotations
-
 import json
 import math
 import re

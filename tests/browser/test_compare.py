@@ -1,7 +1,5 @@
 """The curves of before: held, left by a drag, or hidden by a prediction. Undo, the back button, from scene to scene."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable
 

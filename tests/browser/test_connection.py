@@ -2,8 +2,6 @@
 no value is lost, and everything else works.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterator
 from urllib.parse import urlsplit

@@ -1,7 +1,5 @@
 """The control panel: fields, sliders, refusals, help; keys of a scene and of a clicker."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable
 

@@ -1,7 +1,5 @@
 """The lecture in frames of pages of another origin, and the snippets of docs/embedding.md, unchanged."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterator
 from functools import partial

@@ -1,7 +1,5 @@
 """Scenes, a visitor's journey and what engines do in their own way, in Safari's engine and in Firefox."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from pathlib import Path
 

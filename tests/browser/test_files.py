@@ -1,7 +1,5 @@
 """Files that a visitor saves: numbers and pictures; the printed sheet; the numbers about these numbers."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable
 from pathlib import Path

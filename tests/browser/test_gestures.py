@@ -1,7 +1,5 @@
 """Hands on the picture: by mouse, by finger and by keys. Whatever is dragged is where the hand is."""
 
-from __future__ import annotations
-
 import itertools
 from collections.abc import Callable
 

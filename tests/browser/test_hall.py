@@ -2,8 +2,6 @@
 Nothing scrolls, is cut off or is too small, and each headline and each explanation is seen.
 """
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """Files of visitors: an own walk, from a file or written on the page; a measurement next to the model."""
 
-from __future__ import annotations
-
 import csv
 import io
 import re

@@ -1,7 +1,5 @@
 """The page plays without the server, restores a link, shows numbers at the pointer; single scenes; the start page."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable
 

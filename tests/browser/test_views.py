@@ -1,7 +1,5 @@
 """Every view of every scene is visited once on a desk and once on a phone, for all that can be seen there."""
 
-from __future__ import annotations
-
 import pytest
 from playwright.sync_api import Page
 

@@ -1,7 +1,5 @@
 """Guided walks in a browser: questions of each kind, stored answers, the tour on a phone, handouts on paper."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Callable

@@ -1,7 +1,5 @@
 """A finger or a mouse on a page."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from time import time
 from typing import Any

@@ -1,7 +1,5 @@
 """Waits of the browser tests, for conditions and never for a number of seconds; a press of a clicker, a typed value."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 import param

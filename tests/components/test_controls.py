@@ -1,7 +1,5 @@
 """The control panel of every scene and the settings of its controls."""
 
-from __future__ import annotations
-
 import pytest
 
 from components.language.controls import Setting

@@ -1,7 +1,5 @@
 """Deferred expressions: allowed and forbidden uses of a case in a paper before a case exists."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from functools import cached_property
 from typing import NamedTuple

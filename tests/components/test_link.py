@@ -1,7 +1,5 @@
 """Links: bad parts are named and the rest is kept; numbers have the digits that they need."""
 
-from __future__ import annotations
-
 import sys
 from decimal import ROUND_CEILING, ROUND_FLOOR, Decimal
 from typing import Any

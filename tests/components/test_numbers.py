@@ -1,7 +1,5 @@
 """Numbers as a person reads and types them, with expressions and units, and the numbers of axes."""
 
-from __future__ import annotations
-
 import json
 import math
 from decimal import Decimal

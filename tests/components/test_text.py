@@ -1,7 +1,5 @@
 """Formulas: corrections of the converter's output; the font has every character."""
 
-from __future__ import annotations
-
 import json
 import re
 from html import unescape

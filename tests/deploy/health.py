@@ -1,7 +1,5 @@
 """The health checks of compose.yaml, run as a container engine runs them."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

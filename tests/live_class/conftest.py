@@ -1,7 +1,5 @@
 """One Valkey for all tests of classes, whose codes cost no time."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import pytest

@@ -1,7 +1,5 @@
 """All messages of a live class by route, and a client that sends any of them any number of times."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 

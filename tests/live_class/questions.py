@@ -1,7 +1,5 @@
 """Questions of every kind, with answers, the form in which each is counted, and what is refused."""
 
-from __future__ import annotations
-
 from typing import Any, NamedTuple
 
 OWN = {

@@ -1,7 +1,5 @@
 """A server with a live class, listeners of a class without one, and a class with as many answers as a server stores."""
 
-from __future__ import annotations
-
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from functools import partial

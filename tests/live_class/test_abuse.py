@@ -1,7 +1,5 @@
 """Every message of a class, sent by anybody, wrong or too often: a sentence, and bounds for what is stored."""
 
-from __future__ import annotations
-
 import asyncio
 import gc
 import sys

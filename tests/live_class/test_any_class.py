@@ -1,7 +1,5 @@
 """Any course of a class: what the instructor and the phones do at two replicas, on each store, against a model."""
 
-from __future__ import annotations
-
 import asyncio
 import csv
 import io

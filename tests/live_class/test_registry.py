@@ -2,8 +2,6 @@
 replaced by older; work that is done once or in slices; limits of walks, words and waiting phones.
 """
 
-from __future__ import annotations
-
 import asyncio
 import sys
 from collections.abc import AsyncIterator, Awaitable, Callable

@@ -2,8 +2,6 @@
 its streams, with slow readers, several tabs and sleeping phones.
 """
 
-from __future__ import annotations
-
 import asyncio
 import base64
 import re

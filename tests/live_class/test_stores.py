@@ -1,7 +1,5 @@
 """The contract of every store of classes: one set of tests for memory and for Valkey, and both do the same."""
 
-from __future__ import annotations
-
 import asyncio
 import sys
 import time

@@ -1,7 +1,5 @@
 """The notebooks run and show the stored outputs, with their figures; a scene displays itself in a notebook."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 from typing import Any

@@ -1,7 +1,5 @@
 """Pointer input on a page without a browser: the page's own scripts on the layout of hand.js."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 
 from msgspec.structs import replace

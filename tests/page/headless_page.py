@@ -1,7 +1,5 @@
 """A page without a browser: sends messages to a session and reads its answers."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import msgspec

@@ -1,7 +1,5 @@
 """The page's own scripts, in one Node process for all tests of a worker."""
 
-from __future__ import annotations
-
 import atexit
 import json
 import subprocess

@@ -2,8 +2,6 @@
 change that is to be predicted.
 """
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Iterator

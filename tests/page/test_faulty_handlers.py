@@ -2,8 +2,6 @@
 is unchanged and continues.
 """
 
-from __future__ import annotations
-
 import sys
 from types import CodeType, FrameType
 from typing import Any, get_args

@@ -1,7 +1,5 @@
 """The frame of a picture: it stays or grows while values change, and is fitted again by Fit, presets and letting go."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from typing import Any

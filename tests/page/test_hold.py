@@ -1,7 +1,5 @@
 """Hold: a second picture in the frame of the current one, with a table that compares their numbers."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import msgspec

@@ -1,7 +1,5 @@
 """Measured rows: pieces in order, the fit after the last one, and refusals."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

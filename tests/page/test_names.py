@@ -1,7 +1,5 @@
 """Names in the sheet exist in every scene, preset and view: shapes are drawn, forms have texts, names are unique."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from functools import cache

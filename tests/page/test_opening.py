@@ -1,7 +1,5 @@
 """A page opens the state of its address. The navigation opens a scene in the same state, or with the same system."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pytest

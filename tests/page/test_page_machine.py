@@ -4,8 +4,6 @@ The link and a new session give the state back, undo gives the previous one back
 is worded, the picture is finite, hidden answers are in no message, and the work stays within its budget.
 """
 
-from __future__ import annotations
-
 import json
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Refusals change nothing and give a reason; an unexpected error is answered, and the log has it once."""
 
-from __future__ import annotations
-
 import decimal
 import logging
 import math

@@ -1,8 +1,6 @@
 """The scripts: their types are those of components/language, as in docs/protocol.md; numbers as Python writes them; and
 descriptions of curves for screen readers."""
 
-from __future__ import annotations
-
 import json
 import math
 import pkgutil

@@ -1,7 +1,5 @@
 """Faces that many tests use, each built once because that costs half a second, and the check of their figures."""
 
-from __future__ import annotations
-
 from functools import cache
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The figures of the Panel face: the numbers that they draw, and texts of which none is cut or overlaps another."""
 
-from __future__ import annotations
-
 import itertools
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The Panel face without a browser: tests set a widget's value and read the data sources."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import panel as pn

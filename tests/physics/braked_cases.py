@@ -1,7 +1,5 @@
 """Chains with dashpots for tests, and their free motions as eigenvectors with 120 digits or more."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import asdict
 from typing import Any, NamedTuple

@@ -1,7 +1,5 @@
 """Chains: N equal masses, how two masses find their modes, and their responses to a force with dashpots."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from typing import Any

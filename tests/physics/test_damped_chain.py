@@ -1,7 +1,5 @@
 """The free motions of the chain with dashpots: their roots, shapes and modes, and the paths of the roots."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 from itertools import pairwise

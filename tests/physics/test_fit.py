@@ -3,8 +3,6 @@
 Residuals have the cause of the motion that they are simulated with.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from functools import cache

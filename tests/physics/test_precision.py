@@ -1,7 +1,5 @@
 """Numbers with more digits than doubles, motions as values, and curves or bands of what a grid can resolve."""
 
-from __future__ import annotations
-
 import math
 from decimal import Decimal
 from fractions import Fraction

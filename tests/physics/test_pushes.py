@@ -1,7 +1,5 @@
 """Pushes that repeat or act once, motions under them, slices and powers, against 50 digits and closed forms."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Numbers that are refused: every public class and function of physics says so in the same words."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Callable, Iterator

@@ -1,7 +1,5 @@
 """Checks that the picture of each scene must pass for any parameters."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Callable, Iterable, Iterator

@@ -1,7 +1,5 @@
 """The visible sentences of a scene, as they are read."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from html import unescape

@@ -1,7 +1,5 @@
 """About these numbers: every point within its bound, and true by formulas that the reference does not share."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import replace
 from decimal import Decimal

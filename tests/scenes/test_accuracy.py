@@ -1,7 +1,5 @@
 """Scene accuracy: its picture of recorded runs, the queue of measurements and its worker process."""
 
-from __future__ import annotations
-
 import asyncio
 import re
 import time

@@ -1,7 +1,5 @@
 """A scene made of a case and its paper, tested with variants of the damped scene."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pytest

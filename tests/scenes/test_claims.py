@@ -3,8 +3,6 @@
 Each check gets a scene, the form of its sentence that is visible, and its words. All forms of a sentence are seen.
 """
 
-from __future__ import annotations
-
 import itertools
 import math
 from collections.abc import Callable, Iterator

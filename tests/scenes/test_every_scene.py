@@ -2,8 +2,6 @@
 messages; and its use as a library.
 """
 
-from __future__ import annotations
-
 import copy
 import doctest
 import pickle

@@ -2,8 +2,6 @@
 them to the last digit, and their comments bring the picture back.
 """
 
-from __future__ import annotations
-
 import csv
 import io
 import math

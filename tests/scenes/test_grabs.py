@@ -1,7 +1,5 @@
 """Draggable shapes of every scene: they use names of the scene, and the frame stays fixed during a drag."""
 
-from __future__ import annotations
-
 from collections import Counter
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Marks over the plots are on the curves that they mark: dots, peaks, half widths, resonances, tops of energies."""
 
-from __future__ import annotations
-
 from itertools import product
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Scene modes: the buttons and arrows of Guess, and the roots, paths and sentences of Roots for any dashpots."""
 
-from __future__ import annotations
-
 import cmath
 import math
 import re

@@ -4,8 +4,6 @@ energies add up.
 Derivatives are differences of the exact motion between seven instants, so that no solution is shared with the physics.
 """
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Callable, Mapping

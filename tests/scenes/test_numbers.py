@@ -5,8 +5,6 @@ that cancel in it. A name is missing if the physics has no such number for these
 quadrature or root finding that fails there.
 """
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Callable, Mapping

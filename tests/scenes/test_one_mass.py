@@ -1,7 +1,5 @@
 """Scenes with one mass: gravity, the dashpot, the driven mass and its pushes, and the flight of an aircraft."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from typing import Any

@@ -1,7 +1,5 @@
 """In other units of mass, length and time each scene shows the same picture, with the same digits in its texts."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from typing import Any

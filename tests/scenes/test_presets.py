@@ -1,7 +1,5 @@
 """The sentence that is shown when a preset is chosen is true, and its motion is played in seconds."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Callable

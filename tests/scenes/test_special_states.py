@@ -1,7 +1,5 @@
 """Special states of the scenes: at rest, at a resonance, without a spring, in the examples of the lecture."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from typing import Any

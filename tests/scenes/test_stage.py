@@ -1,7 +1,5 @@
 """The signals that only a stage plays, such as arrows and forces, by formulas of their own; and masses never meet."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping
 from typing import Any

@@ -1,7 +1,5 @@
 """Traces: from signals the browser draws the motion of the physics, with enough points for its fastest part."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

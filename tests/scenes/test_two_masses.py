@@ -1,7 +1,5 @@
 """Scenes with two masses and the chain: starts given by modes, the drive, the absorber's goals, and waves."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

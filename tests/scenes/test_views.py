@@ -1,7 +1,5 @@
 """Views of the scenes: what each shows, sends and links to."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """A server in the process of the test, on a free port of this machine."""
 
-from __future__ import annotations
-
 import asyncio
 from collections.abc import AsyncIterator, Callable, Mapping, Sequence
 from concurrent.futures import Future

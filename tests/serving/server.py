@@ -1,7 +1,5 @@
 """The app in a separate process on a free loopback port, started by README's command or, in tests, its function."""
 
-from __future__ import annotations
-
 import os
 import signal
 import socket

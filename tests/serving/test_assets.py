@@ -2,8 +2,6 @@
 files of numbers by address.
 """
 
-from __future__ import annotations
-
 import asyncio
 import gzip
 import io

@@ -1,7 +1,5 @@
 """Health and metrics for proxies and operators, the log, and the end of a server."""
 
-from __future__ import annotations
-
 import asyncio
 import json
 import logging

@@ -1,7 +1,5 @@
 """`panel serve app.py`: the scenes as Panel applications, and a sentence on how to start the lecture."""
 
-from __future__ import annotations
-
 import html
 from pathlib import Path
 

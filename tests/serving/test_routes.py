@@ -1,7 +1,5 @@
 """Every route of the server under every abuse: a worded refusal or the usual answer, and others are served."""
 
-from __future__ import annotations
-
 import re
 from typing import NamedTuple
 

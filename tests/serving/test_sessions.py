@@ -1,7 +1,5 @@
 """Sessions: trusted proxies, limits for each network, the waiting line, and the end of each session."""
 
-from __future__ import annotations
-
 import asyncio
 import logging
 import re

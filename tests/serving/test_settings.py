@@ -1,7 +1,5 @@
 """The settings: from options and environment variables, each checked before the server starts."""
 
-from __future__ import annotations
-
 import io
 import sys
 from pathlib import Path

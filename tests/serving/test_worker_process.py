@@ -1,7 +1,5 @@
 """The worker process: one job at a time, one second of CPU each, networks in turn, and failing jobs."""
 
-from __future__ import annotations
-
 import sys
 from collections.abc import Iterator
 from concurrent.futures import Future

@@ -1,7 +1,5 @@
 """Files around the code: locked requirements, commands of the documents, Dockerfile, package."""
 
-from __future__ import annotations
-
 import asyncio
 import json
 import os

@@ -1,7 +1,5 @@
 """compose.yaml agrees with the Caddyfile and with the settings of the server."""
 
-from __future__ import annotations
-
 import os
 import re
 import shutil

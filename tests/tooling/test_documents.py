@@ -2,8 +2,6 @@
 all that is named exists.
 """
 
-from __future__ import annotations
-
 import os
 import re
 import shutil

@@ -1,7 +1,5 @@
 """Each tool that developers run: house rules, known and random faults, compared pictures, benchmarks."""
 
-from __future__ import annotations
-
 import ast
 import asyncio
 import re

@@ -1,7 +1,5 @@
 """Answers of a class to any question, some right, some wrong; sketches as a hand draws and a page sends them."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

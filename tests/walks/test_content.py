@@ -1,7 +1,5 @@
 """Each step of the lecture's walks against its scene and the physics; only words and formulas on the page of a walk."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Callable, Iterator

@@ -1,7 +1,5 @@
 """The file of a walk: a valid one is read; what is wrong, doubtful or gives an answer away is named with its place."""
 
-from __future__ import annotations
-
 import math
 import re
 from pathlib import Path

@@ -1,7 +1,5 @@
 """A session in a walk: the states it opens, the data it hides, its replies to answers, and the features of sketches."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 
