@@ -200,7 +200,9 @@ class RootPath:
         unit = omega * min(chain.m1, chain.m2) / max(self.direction)
         near = 1 + np.concatenate([-1 * (grid := np.geomspace(_NEAR, 0.3, 12) ** 2), [0.0], grid])
         spread = unit * np.geomspace(10.0**-_DECADES, 10.0**_DECADES, _STEPS)
-        return np.unique(np.concatenate([[0.0], spread, *(one.value * near for one in self.meetings)]))
+        meetings = [one.value for one in self.meetings]
+        beyond = [value * np.geomspace(0.01, 1.0, 60) for value in meetings if value > spread[-1]]
+        return np.unique(np.concatenate([[0.0], spread, *beyond, *(value * near for value in meetings)]))
 
     def roots(self, values: ArrayLike) -> Complexes:
         """The roots (n, 4) in 1/s, for a drawing: by companion matrices, half of the digits where roots meet.

@@ -84,6 +84,7 @@ def lines(scene: ModesScene) -> list[str]:
 @settings(max_examples=tries(100), phases=(Phase.explicit, Phase.generate))
 @given(cases(), st.sampled_from(WAYS))
 @example(Case(TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0), 50.0, 50.0), "both")  # two roots left of the plane
+@example(Case(TwoMassChain(m1=27.8, m2=0.00541, k1=1.0, k2=0.0), 1.0, 0.0), "c1")  # roots meet far from the light mass
 def test_crosses_paths_and_what_is_said_of_the_roots_and_of_the_motions_are_true(case: Case, grows: Varied) -> None:
     scene = ModesScene(view="roots", grows=grows, **case.values)
     check_crosses(case, scene)
