@@ -1,32 +1,23 @@
 """Deferred expressions: allowed and forbidden uses of a case in a paper before a case exists."""
 
 from collections.abc import Callable
-from functools import cached_property
-from typing import NamedTuple
 
 import pytest
 
+from components.layout.sheet import column, row, words
 from components.paper.deferred import Attributes, book_of, deferred, number, recorded
 from components.paper.plots import either
 from components.quantities.declared import Declared, Family, LiveNumber, Scalar, by_name
-
-
-class Place(NamedTuple):
-    x: float
-    y: float
 
 
 class PointCase:
     """A case of nothing but numbers."""
 
     a: float
+    places: list[complex]
 
     def __init__(self, a: float) -> None:
-        self.a = a
-
-    @cached_property
-    def places(self) -> list[Place]:
-        return [Place(self.a, 2 * self.a)] if self.a else []
+        self.a, self.places = a, [complex(a, 2 * a)] if a else []
 
 
 value = Attributes(PointCase)
@@ -42,10 +33,9 @@ c = deferred(PointShown)
 
 
 def test_an_expression_is_computed_for_each_case() -> None:
-    for of, expected in ((c.a, 3.0), (c.places[0].y, 6.0), (c.a == 3.0, True), (c.a != 3.0, False), (c.half, 1.5)):
+    for of, expected in ((c.places[0].imag, 6.0), (c.a == 3.0, True), (c.a != 3.0, False), (c.half, 1.5)):
         assert recorded(of).compute(PointShown(3.0), {}) == expected
-    assert recorded(c.places[0].y).compute(PointShown(0.0), {}) is None
-    assert recorded(c.places[1].y).compute(PointShown(3.0), {}) is None
+    assert recorded(c.places[0].imag).compute(PointShown(0.0), {}) is None
 
 
 class Declarations(Declared[complex]):
@@ -70,12 +60,14 @@ def form(name: str, *uses: tuple[object, str]) -> list[str]:
         (lambda: f"{c.twice}", ValueError, "written in two ways"),
         (lambda: form("of_one", (c.opposite, "formula"), (c.opposite, "shown")), ValueError, "used in two ways"),
         (lambda: form("of_two", (c.opposite, "formula"), (c.a, "formula")), ValueError, "used in two ways"),
+        (lambda: column(row(words("Low.")), words("High.", grow=300)), ValueError, "grow=1 has no room beside one"),
     ],
 )
 def test_an_author_is_told_what_cannot_be_written(
     wrong: Callable[[], object], error: type[Exception], says: str
 ) -> None:
-    """A wrong name, a decision before there is a case, a number with two formats, and a form with two meanings."""
+    """A wrong name, a decision before there is a case, a number with two formats, a form with two meanings, a low
+    block."""
     either(c.a == 1.0, yes="one", no="others").forms()
     assert f"{c.twice:+}" == r"\val{twice}"
     with pytest.raises(error, match=says):

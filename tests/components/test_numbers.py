@@ -1,4 +1,4 @@
-"""Numbers as a person reads and types them, with expressions and units, and the numbers of axes."""
+"""Numbers as a person reads and types them, with expressions and units, in the fields of scenes and at axes."""
 
 import json
 import math
@@ -9,11 +9,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from components.layout.choices import word
+from components.layout.controls import settings
 from components.quantities import formatting
 from components.quantities.axes import Axis, log_axis
 from components.quantities.formatting import at_tick, excerpt, parse_number, shortest, three, tidy, with_error
 from components.quantities.parameters import Quantity
 from components.quantities.typed import typed_number
+from components.quantities.units import Unit
 from components.scenes import SCENES
 from tests.serving.server import ROOT
 
@@ -118,16 +121,14 @@ def test_what_is_no_number_is_refused_with_an_example(text: str) -> None:
         ("3 foo", "m", "“foo” is not a unit known here: type a number in m."),
         ("1e", "m", "“e” is not a unit known here: type a number in m."),
         ("3 m/", "m", "“m/” is not a unit known here: type a number in m."),
-        ("1/0", "m", "“1/0” divides by zero."),
-        ("1/0 km", "m", "“1/0 km” divides by zero."),
+        *((text, "m", f"“{text}” divides by zero.") for text in ("1/0", "1/0 km")),
         ("sqrt(-1)", "m", "“sqrt(-1)” is not a real number."),
         ("9^9^9", "m", "“9^9^9” takes more digits than a field has room for."),
         ("1e999 km", "m", "1e999 km is too large: the largest number that can be held is about 1.8e308."),
         ("-1e999", "m", "-1e999 is too large: the largest number that can be held is about 1.8e308."),
         ("10^-400", "m", "10^-400 is too small: the smallest number that can be held is about 5e-324."),
         ("1/2π", "m", "“1/2π” has two meanings: write every multiplication sign ·, and use brackets."),
-        ("", "m", "Nothing is typed here: type a number such as 2.5 or 1e-3."),
-        (" ", "m", "Nothing is typed here: type a number such as 2.5 or 1e-3."),
+        *((text, "m", "Nothing is typed here: type a number such as 2.5 or 1e-3.") for text in ("", " ")),
     ],
 )
 def test_what_is_refused_says_why(text: str, unit: str, reason: str) -> None:
@@ -142,29 +143,24 @@ def test_what_is_refused_says_why(text: str, unit: str, reason: str) -> None:
 @pytest.mark.parametrize(
     ("value", "error", "texts"),
     [
-        (6.30171, 0.00083, ("6.3017", "0.0008")),
-        (0.017673, 0.00012, ("0.01767", "0.00012")),
-        (-0.1049, 0.0031, ("−0.105", "0.003")),
-        (13.899, 1.4, ("13.9", "1.4")),
-        (0.0, 0.02, ("0.00", "0.02")),
-        (13450.0, 21.0, ("1.345·10⁴", "0.002·10⁴")),
-        (2.3456e-7, 3e-9, ("2.35·10⁻⁷", "0.03·10⁻⁷")),
-        (2.5, 0.0, ("2.50", "")),
-        (2.5, math.inf, ("2.50", "")),
+        *((6.30171, 0.00083, ("6.3017", "0.0008")), (0.017673, 0.00012, ("0.01767", "0.00012"))),
+        *((-0.1049, 0.0031, ("−0.105", "0.003")), (13.899, 1.4, ("13.9", "1.4")), (0.0, 0.02, ("0.00", "0.02"))),
+        *((13450.0, 21.0, ("1.345·10⁴", "0.002·10⁴")), (2.3456e-7, 3e-9, ("2.35·10⁻⁷", "0.03·10⁻⁷"))),
+        *((2.5, 0.0, ("2.50", "")), (2.5, math.inf, ("2.50", ""))),
     ],
 )
 def test_a_number_ends_at_the_place_of_its_error(value: float, error: float, texts: tuple[str, str]) -> None:
     assert with_error(value, error) == texts
 
 
-def test_ticks_and_foreign_texts_have_the_signs_that_they_take() -> None:
+def test_ticks_foreign_texts_and_moving_numbers_have_the_signs_that_they_take() -> None:
     ticks = {0.0: "0", -2.5: "−2.5", 1252.5: "1252.5", 0.00125: "0.00125", 4e6: "4·10⁶", -1e305: "−1·10³⁰⁵"}
     assert {value: at_tick(value) for value in ticks} == ticks
-    assert [excerpt(text) for text in ("a\nb\u202ec", "x" * 41, "x" * 40)] == [
-        "a\ufffdb\ufffdc",
-        "x" * 39 + "…",
-        "x" * 40,
-    ]
+    texts = {"a\nb\u202ec": "a\ufffdb\ufffdc", "x" * 41: "x" * 39 + "…", "x" * 40: "x" * 40}
+    assert {text: excerpt(text) for text in texts} == texts
+    places = {(0.0, 0): 12, (5e-324, 3): 12, (2.5e-3, -3): 2, (1.0, 0): 2, (40.0, 3): 4, (1e300, 0): 0}
+    axes = {size: Axis(0.0, 1.0, "J", size[1], own=(0.0, size[0])) for size in places}
+    assert {size: axis.digits().decimals for size, axis in axes.items()} == places
 
 
 @given(st.floats(-300, 300), st.floats(0.05, 20), st.integers(3, 6))
@@ -176,8 +172,26 @@ def test_a_log_axis_has_two_numbers_at_least_each_where_it_says(power: float, sp
         assert math.log10(parse_number(label)) == pytest.approx(tick, abs=0.003)
 
 
-@pytest.mark.parametrize(("size", "exponent"), [(0.0, 0), (5e-324, 3), (2.5e-3, -3), (1.0, 0), (40.0, 3), (1e300, 0)])
-def test_a_moving_number_has_three_digits_and_no_more_decimals_than_can_be_shown(size: float, exponent: int) -> None:
-    decimals = Axis(0.0, 1.0, "J", exponent, own=(0.0, size)).digits().decimals
-    shown = size / 10.0**exponent
-    assert decimals == (12 if shown < 1e-10 else max(0, 2 - math.floor(math.log10(shown) + 1e-12)))
+@pytest.mark.parametrize("slug", SCENES)
+def test_a_field_has_the_value_of_its_quantity_and_says_whether_it_has_changed(slug: str) -> None:
+    for values in SCENES[slug].presets.values():
+        scene = SCENES[slug].at(values)
+        spans = scene.shown.spans
+        for name, setting in settings(scene.param.objects("existing"), scene.values, scene.units(), spans).items():
+            parameter, value = SCENES[slug].param[name], scene.values.get(name)
+            assert setting.changed == (value != parameter.default)
+            if isinstance(parameter, Quantity) and value is not None:
+                typed = typed_number(setting.text, setting.unit or parameter.unit) * (setting.size or 1.0)
+                assert typed == pytest.approx(value, rel=1e-3 if setting.unit else 0.0, abs=0.0)
+                assert (setting.value, setting.soft) == (value, spans.get(name))
+            else:
+                assert setting.text == (setting.value or "") == ("" if value is None else word(value))
+
+
+def test_a_quantity_in_another_unit_has_four_digits_and_round_numbers_come_back_round() -> None:
+    foot, knot = Unit("ft/s", 0.3048), Unit("knots", 1852 / 3600)
+    assert foot.value(150.0) == 45.72
+    assert [foot.field(foot.value(value)) for value in (150, 1234.5)] == ["150", "1234.5"]
+    assert (knot.field(45.72), foot.field(1 / 3), foot.field(0.0)) == ("88.87", "1.094", "0.00")
+    for value in (1e-300, 1e300, -2.5):
+        assert float(foot.field(value)) == pytest.approx(value / 0.3048, rel=1e-3)
