@@ -63,7 +63,7 @@ MUTANTS = (
     ),
     Mutant(
         "no answer", "components/session/session.py", "reply = self._packed(before, answer, (SORRY,))", "raise",
-        "tests/page/test_faulty_handlers.py",
+        "tests/page/test_refusals.py",
     ),
     Mutant(
         "cover", "components/state/covers.py",

@@ -78,7 +78,7 @@ class TestsByLine:
 
 
 def _named(contexts: Iterable[str]) -> set[str]:
-    """The tests of contexts such as "tests/page/test_hold.py::test_one|run"."""
+    """The tests of contexts such as "tests/page/test_names.py::test_one|run"."""
     return {context.rpartition("|")[0] for context in contexts}
 
 

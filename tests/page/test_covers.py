@@ -4,19 +4,19 @@ change that is to be predicted.
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from typing import Any
 
 import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from components.language.blocks import PlotBlock, StageBlock
+from components.language.blocks import StageBlock
 from components.language.shapes import Begin
 from components.layout.sheet import blocks
 from components.quantities.axes import round_ticks
 from components.quantities.formatting import three
-from components.scene import Scene
+from components.scene import Picture, Scene
 from components.scenes import SCENES
 from components.state.covers import NEXT, PLOT, STAGE, VALUE, without
 from components.state.csv_export import tables
@@ -27,7 +27,7 @@ from components.walks.links import page_state_at
 from components.walks.loading import load_walks, steps_of
 from components.walks.walk import Step
 from tests.grids import sample
-from tests.page.headless_page import Page, change, say, set_values
+from tests.page.headless_page import Page, change, picture_wire, say, set_values
 from tests.page.scripts import played
 from tests.scenes.checks import changes
 
@@ -49,23 +49,22 @@ def test_a_covered_plot_or_number_is_not_sent_and_all_others_are(slug: str) -> N
         spoken = json.dumps([signal for signal in view["signals"].values() if signal["kind"] == "derived"])
         assert not any(f'"{name}"' in spoken for name in left_out - view["signals"].keys())  # its motion may be sent
         names = {cover, *(PLOT + name for name in kind.covered_with.get(cover.removeprefix(PLOT), ()))}
-        hidden, others = ([plot for plot in plots(kind) if (PLOT + plot.name in names) is has] for has in (True, False))
-        assert sent_of(view, hidden) <= drawn(others)[0] | {("time", "t")}  # times alone tell nothing
-        assert sent_of(view, others) == sent_of(whole, others)
-        for name in drawn(hidden)[1] - drawn(others)[1]:
-            motion = whole["signals"].get(name)
-            assert motion is None or view["signals"].get(name) != motion, name
+        (hidden, motions), (others, shown) = (drawn(kind, names, is_hidden=has) for has in (True, False))
+        assert {one for one in hidden if is_sent(view, *one)} <= others | {("time", "t")}  # times alone tell nothing
+        assert all(is_sent(view, *one) is is_sent(whole, *one) for one in others)
+        for name in (motions - shown) & whole["signals"].keys():
+            assert view["signals"].get(name) != whole["signals"][name], name
 
 
-def drawn(all_plots: list[PlotBlock]) -> tuple[set[tuple[str, str]], set[str]]:
-    """Return the columns and the motions of the curves of some plots."""
-    curves = [curve for plot in all_plots for curve in plot.curves]
+def drawn(scene: type[Scene], covered: Collection[str], *, is_hidden: bool) -> tuple[set[tuple[str, str]], set[str]]:
+    """Return the columns and the motions of the curves of covered plots, or of the others."""
+    curves = [curve for plot in plots(scene) if (PLOT + plot.name in covered) is is_hidden for curve in plot.curves]
     motions = {name for one in curves for name in (one.signal, one.signal_x) if name}
     return {(one.source, name) for one in curves for name in (one.x, one.y)}, motions
 
 
-def sent_of(view: dict[str, Any], all_plots: list[PlotBlock]) -> set[tuple[str, str]]:
-    return {(source, name) for source, name in drawn(all_plots)[0] if name in view["columns"].get(source, {})}
+def is_sent(view: dict[str, Any], source: str, name: str) -> bool:
+    return name in view["columns"].get(source, {})
 
 
 def begun(scene: PageState) -> Iterator[tuple[str, float]]:
@@ -113,26 +112,18 @@ def test_a_covered_axis_is_wider_and_begins_at_0_where_it_did(slug: str) -> None
 def test_no_number_that_follows_from_a_change_is_in_any_message(slug: str) -> None:
     for values in sample(list(changes(SCENES[slug]))):
         page = Page(SCENES[slug]())
-        seen = numbers([change(page, covered=[NEXT], held={}), csv_of(page), round_numbers(page)])
+        axes = (replace(axis, ticks=round_ticks(axis), labels=()) for axis in page.shown.axes.values())
+        rulers = [json.loads(as_json(axis.ruler)) for axis in axes]  # they replace those of the total
+        seen = numbers([change(page, covered=[NEXT], held={}), csv_of(page, page.shown), rulers])
         told = set_values(page, **values)
         assert told["errors"] == {} and told["state"]["before"] == {}, values
-        given = numbers([set_by_hand(told), told["state"]["parameters"], told["query"], _ratio(SCENES[slug], values)])
-        outcome = numbers(told_of_scene(page)) - seen - given
+        ((name, value),) = values.items()
+        default = SCENES[slug].param[name].default
+        ratio = three(value / default) if default else ""  # as the comparison writes it
+        given = numbers([set_by_hand(told), told["state"]["parameters"], told["query"], ratio])
+        outcome = numbers([picture_wire(page.now), csv_of(page, page.shown)]) - seen - given
         assert outcome, f"nothing follows from {values}"
-        assert outcome & numbers([told, csv_of(page)]) == set(), values
-
-
-def _ratio(scene: type[Scene], values: dict[str, float]) -> str:
-    """Return the ratio of the set value to its default, as the comparison writes it."""
-    ((name, value),) = values.items()
-    default = scene.param[name].default
-    return three(value / default) if default else ""
-
-
-def round_numbers(page: Page) -> list[Any]:
-    """Return the numbers of each axis that do not depend on curves; they replace those of the total."""
-    axes = (replace(axis, ticks=round_ticks(axis), labels=()) for axis in page.shown.axes.values())
-    return [json.loads(as_json(axis.ruler)) for axis in axes]
+        assert outcome & numbers([told, csv_of(page, page.now.to_send[0])]) == set(), values
 
 
 def set_by_hand(told: dict[str, Any]) -> list[Any]:
@@ -141,17 +132,8 @@ def set_by_hand(told: dict[str, Any]) -> list[Any]:
     return [(one["value"], one["text"], three(one["value"] / one["size"])) for one in ones]
 
 
-def csv_of(page: Page) -> list[list[Any]]:
-    return [[table.name, table.head, table.rows] for table in tables(type(page.scene), page.now.to_send[0])]
-
-
-def told_of_scene(page: Page) -> list[Any]:
-    """Return the complete current picture as it would be sent."""
-    picture = page.shown
-    columns = {name: column.tolist() for given in picture.sources.values() for name, column in given.items()}
-    axes = {name: axis.ruler for name, axis in picture.axes.items()}
-    parts = (picture.signals, picture.scalars, picture.values, picture.notes, picture.pace, picture.spans, axes)
-    return [columns, *(json.loads(as_json(part)) for part in parts)]
+def csv_of(page: Page, picture: Picture) -> list[list[Any]]:
+    return [[table.name, table.head, table.rows] for table in tables(page.now.kind, picture)]
 
 
 def numbers(told: Any) -> set[float | str]:

@@ -1,14 +1,12 @@
 """Names in the sheet exist in every scene, preset and view: shapes are drawn, forms have texts, names are unique."""
 
 import re
-from collections.abc import Iterator
 from functools import cache
 from typing import Any
 
 import pytest
 
-from components.language.blocks import Block, ChoiceBlock, PlotBlock, TableBlock, WordsBlock
-from components.language.plots import Term
+from components.language.blocks import ChoiceBlock
 from components.language.text import Forms
 from components.layout.choices import stated
 from components.layout.sheet import blocks, in_force
@@ -43,16 +41,12 @@ MORE: dict[str, list[dict[str, Any]]] = {
 """Values that add items to a picture: fast motions are drawn as bands, and some marks need their case."""
 
 
-def cases(scene: type[Scene]) -> Iterator[Scene]:
-    """Yield the scene as it opens, with each preset, each option of each choice, bands, and the values of MORE."""
-    bands = [{"window": 1e4}] if "window" in scene.linked() else []
-    yield from (scene.at(values) for values in ({}, *scene.presets.values()))
-    yield from (scene.at(values) for values in (*choices(scene), *bands, *MORE.get(scene.slug, [])))
-
-
 @cache
 def every(slug: str) -> list[Scene]:
-    return list(cases(SCENES[slug]))
+    """The scene as it opens, with each preset, each option of each choice, bands, and the values of MORE."""
+    scene = SCENES[slug]
+    bands = [{"window": 1e4}] if "window" in scene.linked() else []
+    return [scene.at(values) for values in ({}, *scene.presets.values(), *choices(scene), *bands, *MORE.get(slug, []))]
 
 
 @scenes
@@ -85,30 +79,14 @@ def test_every_shape_is_drawn(slug: str) -> None:
         draw(type(scene), shown, shapes)
 
 
-def _wordings(block: Block) -> Iterator[Forms | Term]:
-    """Return the texts of a block that have variants."""
-    if isinstance(block, WordsBlock):
-        yield from block.items
-    elif isinstance(block, TableBlock):
-        yield from (cell for row in block.rows for cell in row)
-    elif isinstance(block, PlotBlock):
-        yield from block.heading
-
-
-def _chosen(one: Forms | Term, forms: dict[str, str]) -> str:
-    """Return the visible variant. Without the form in the picture there is none; a term then uses its first."""
-    if isinstance(one, Forms):
-        return forms.get(one.name, "") if one.name else ""
-    return forms.get(one.form, next(iter(one.variants)))
-
-
 @scenes
 def test_each_form_has_its_words(slug: str) -> None:
     for scene in every(slug):
         for block in in_force(scene.sheet(), scene.shown.forms):
-            for one in _wordings(block):
-                variant = _chosen(one, scene.shown.forms)
-                assert variant in one.variants or not variant, (one, variant)
+            cells = (cell for row in getattr(block, "rows", ()) for cell in row)
+            for one in (*getattr(block, "items", ()), *cells, *getattr(block, "heading", ())):
+                variant = scene.shown.forms.get(one.name if isinstance(one, Forms) else one.form)
+                assert not variant or variant in one.variants, (one, variant)
 
 
 @scenes

@@ -30,30 +30,28 @@ from components.quantities.refusals import SORRY
 from components.scene import Scene
 from components.scenes import SCENES
 from components.state.compared import HIDDEN
-from components.state.covers import NEXT, PLOT, VALUE
+from components.state.covers import NEXT, VALUE
 from components.state.page_state import PageState
-from components.state.scene_sheet import plots, scene_sheet
+from components.state.scene_sheet import scene_sheet
 from components.walks.cards import walk_sheet
 from components.walks.loading import load_walks
 from tests.attack.budgets import PICTURE, counted
 from tests.grids import tries
 from tests.page.headless_page import Page, unpacked
+from tests.page.test_covers import drawn, is_sent
 from tests.page.test_refusals import MALFORMED, WORDED
 from tests.scenes.checks import as_arguments, check_picture, quantities
 from tests.states import covers, number, value
 
 WALKS = load_walks(())
 CARDS = {card.opens.step: card for walk in WALKS.values() for card in walk_sheet(walk, SCENES).steps}
-ODD = (
-    *("", " ", "many", "nan", "1e999", "-1", "0", "1e-300", "1/0", "3 kg", "2 s", "1/3", "pi", "<b>", "\ud800"),
-    "x" * 99,
-)
-QUIET: tuple[dict[str, Any], ...] = (
-    {"type": "walk", "name": "mine", "text": "="},
-    {"type": "given", "answer": {"walk": "no", "step": "no"}},
-    {"type": "about"},
-    {"type": "csv"},
-)
+ODD = ("", " ", "many", "nan", "1e999", "-1", "0", "1e-300", "1/0", "3 kg", "1/3", "pi", "<b>", "\ud800", "x" * 99)
+NOTHING = {
+    "walk": {"name": "mine", "text": "="},
+    "given": {"answer": {"walk": "no", "step": "no"}},
+    "csv": {},
+    "about": {},
+}
 """Messages that set nothing."""
 START = "given_by"
 """The choice of what the start is given by."""
@@ -65,17 +63,6 @@ STRANGE: tuple[dict[str, Any], ...] = (
     *(message for message in MALFORMED if isinstance(message, dict) and type(message.get("type")) is str),
 )
 """Messages that every scene refuses."""
-
-
-def chosen(scene: type[Scene]) -> list[tuple[str, Any]]:
-    """Every option of every choice."""
-    known = scene.linked().items()
-    return [(name, one) for name, parameter in known if isinstance(parameter, Choice) for one in options(parameter)]
-
-
-def essence(told: dict[str, Any]) -> str:
-    """A message without its number, for comparison."""
-    return json.dumps({**told, "answer": None}, default=lambda column: column.tolist())
 
 
 def in_si(axis: dict[str, Any]) -> list[float]:
@@ -148,7 +135,8 @@ class Visit(RuleBasedStateMachine):
         """The answer is short if it would repeat the last one. A repeated message is answered in full."""
         last, told = self.told, self.say(type="set", values={}, holding=False)
         again = self.page.send({**self.last, "number": self.number})
-        is_same = essence(again) == essence(last) and not self.page.session.running
+        one, other = (json.dumps({**each, "answer": 0}, default=np.ndarray.tolist) for each in (last, again))
+        is_same = one == other and not self.page.session.running
         assert again["type"] == "shown" and is_same is (told["type"] == "kept")
 
     @rule(data=st.data(), text=st.sampled_from(ODD) | st.text(max_size=9))
@@ -157,7 +145,8 @@ class Visit(RuleBasedStateMachine):
 
     @rule(data=st.data())
     def chooses(self, data: st.DataObject) -> None:
-        name, option = data.draw(st.sampled_from(chosen(self.scene)))
+        choices = [(name, one) for name, one in self.scene.linked().items() if isinstance(one, Choice)]
+        name, option = data.draw(st.sampled_from([(name, option) for name, one in choices for option in options(one)]))
         held = self.state.held
         assert not self.say(type="choose", name=name, value=word(option))["errors"]
         assert self.page.scene.values[name] == option or name in FOLLOWING
@@ -250,10 +239,10 @@ class Visit(RuleBasedStateMachine):
     def sends_something_strange(self, message: dict[str, Any]) -> None:
         assert self.say(**message)["errors"]
 
-    @rule(message=st.sampled_from(QUIET))
-    def asks_for_something(self, message: dict[str, Any]) -> None:
+    @rule(kind=st.sampled_from(list(NOTHING)))
+    def asks_for_something(self, kind: str) -> None:
         now = self.page.now
-        assert self.page.send({**message, "number": 7})["answer"] == 7
+        assert self.page.send({"type": kind, **NOTHING[kind], "number": 7})["answer"] == 7
         assert self.page.now is now
 
     @rule()
@@ -292,17 +281,13 @@ class Visit(RuleBasedStateMachine):
     @invariant()
     def hidden_parts_are_not_sent(self) -> None:
         told, now = self.page.opening(), self.page.now
-        view = told["view"]
-        covered = set(now.covered)
-        assert not {one for one in view["values"] if VALUE + one in covered and not now.before}
-        open_plots = [plot for plot in plots(now.kind) if PLOT + plot.name not in covered]
-        drawn = {(curve.source, name) for plot in open_plots for curve in plot.curves for name in (curve.x, curve.y)}
-        for plot in plots(now.kind):
-            for curve in plot.curves if PLOT + plot.name in covered and not now.before else ():
-                for one in filter(None, (view, told["held"])):
-                    sent = curve.y in one["columns"].get(curve.source, {})
-                    assert not sent or (curve.source, curve.y) in drawn, curve
         assert (told["held"] is None) == (now.held is None)
+        if not now.before:
+            covered = set(now.covered)
+            (hidden, _), (others, _) = (drawn(now.kind, covered, is_hidden=has) for has in (True, False))
+            assert not {VALUE + one for one in told["view"]["values"]} & covered
+            for view in filter(None, (told["view"], told["held"])):
+                assert not any(is_sent(view, *one) for one in hidden - others - {("time", "t")})
 
 
 @pytest.mark.parametrize("slug", SCENES)

@@ -1,15 +1,20 @@
-"""Refusals change nothing and give a reason; an unexpected error is answered, and the log has it once."""
+"""Refusals change nothing and give a reason. An unexpected error of any function is answered, the page is unchanged and
+continues, and the log has it once.
+"""
 
 import decimal
 import logging
 import math
+import sys
 from collections.abc import Callable
-from typing import Any
+from types import CodeType, FrameType
+from typing import Any, get_args
 
 import numpy as np
 import pytest
 
 from components.language.blocks import Block
+from components.language.messages import BrowserMessage
 from components.language.state import Frame
 from components.layout.sheet import column
 from components.quantities.parameters import stiffness
@@ -17,8 +22,12 @@ from components.quantities.refusals import BEYOND, LINK_LOST, SORRY, Once, in_wo
 from components.scene import Picture, Scene
 from components.scene.frames import FITTED
 from components.scenes import SCENES
+from components.session import session
 from components.session.opening import opened
+from components.state.commands import RefusalError
 from components.state.link import Link
+from components.state.wire import packed
+from tests.grids import WHOLE
 from tests.page.headless_page import Page, set_values, unpacked
 
 LONG = "x" * 100_000
@@ -150,29 +159,28 @@ class Faulty(Scene):
         return Picture(columns={}, axes={}, scalars={"k": endless}, values={"k": object() if self.k == 8.0 else "k"})
 
 
-@pytest.mark.parametrize("value", [*REFUSED, 7.0])
-def test_arithmetic_beyond_doubles_is_refused_in_words(value: float) -> None:
-    scene = Faulty()
-    before, held = scene.shown, scene.param.values()
-    for change in (lambda: scene.set({"k2": 3.0, "k": value}), lambda: setattr(scene, "k", value)):
-        with pytest.raises(ValueError, match="range of doubles"):
-            change()
-        assert (scene.shown, scene.param.values()) == (before, held)
-    assert Page(scene).send(put(k2=3.0, k=value))["errors"]["k"] == f"{BEYOND} Still drawn with 0.500."
-    facts = unpacked(opened({"faulty": Faulty}, Link("faulty", {"k": value})).opening())
-    assert facts["problems"] == [f"{BEYOND} The link's parameters were not used."]
-
-
-@pytest.mark.parametrize("value", [*UNEXPECTED, 8.0])
-def test_an_unexpected_error_is_answered_and_changes_nothing(value: float) -> None:
+@pytest.mark.parametrize("value", [*REFUSED, 7.0, *UNEXPECTED, 8.0])
+def test_a_picture_that_cannot_be_drawn_or_sent_changes_nothing(value: float) -> None:
+    """Arithmetic beyond doubles is refused in words; for an unexpected error the server apologizes."""
     page = Page(Faulty(k2=2.0))
-    before, now, parameters = page.opening(), page.now, {"k": value}
-    for said in (put(k=value), typed("k", str(value)), state("faulty", parameters=parameters)):
-        assert page.send({**said, "number": 4}) == {**before, "problems": [SORRY], "answer": 4}
+    before, now, unexpected = page.opening(), page.now, value in (*UNEXPECTED, 8.0)
+    told = {"problems": [SORRY]} if unexpected else {"errors": {"k": f"{BEYOND} Still drawn with 0.500."}}
+    stated = told if unexpected else {"errors": {"state": f"{BEYOND} {STILL}"}}
+    for said in (put(k=value), typed("k", str(value)), state("faulty", parameters={"k": value})):
+        answer = page.send({**said, "number": 4})
+        assert answer == {**before, **(stated if said["type"] == "open" else told), "answer": 4}
         assert page.now is now, said
     assert set_values(page, k=9.0)["settings"]["k"]["value"] == 9.0
     facts = unpacked(opened({"faulty": Faulty}, Link("faulty", {"k": value}, ["hum: unknown."])).opening())
-    assert (facts["problems"], facts["query"]) == (["hum: unknown.", LINK_LOST], "scene=faulty")
+    lost = LINK_LOST if unexpected else f"{BEYOND} The link's parameters were not used."
+    assert (facts["problems"], facts["query"]) == (["hum: unknown.", lost], "scene=faulty")
+    scene = Faulty()
+    shown, held = scene.shown, scene.param.values()
+    for change in (lambda: scene.set({"k2": 3.0, "k": value}), lambda: setattr(scene, "k", value)):
+        if not unexpected:
+            with pytest.raises(ValueError, match="range of doubles"):
+                change()
+        assert (scene.shown, scene.param.values()) == (shown, held)
 
 
 def test_the_log_has_each_place_once(caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -189,3 +197,66 @@ def test_the_log_has_each_place_once(caplog: pytest.LogCaptureFixture, monkeypat
 def test_numpy_warns_of_nothing_while_a_picture_is_made() -> None:
     with np.errstate(all="warn"), pytest.raises(ValueError, match="range of doubles"), in_words():
         np.float64(1e300) * 1e300
+
+
+MESSAGES: dict[str, dict[str, Any]] = {
+    "about": {},
+    "act": {"name": ""},
+    "choose": {"name": "view", "value": "roots"},
+    "csv": {},
+    "given": {"answer": {"walk": "", "step": ""}},
+    "lead": {"code": "", "key": ""},
+    "open": {"state": {"scene": "damped", "parameters": {"k": 50.0}}},
+    "rows": {"piece": 0, "of": 1, "t": [], "columns": [[]]},
+    "run": {"order": "cancel"},
+    "set": {"values": {"k": 50.0}},
+    "typed": {"name": "k", "text": "50"},
+    "walk": {"name": "", "text": ""},
+}
+NOTHING_FAILS = {"cancel_fit"}
+"""Its handler calls no function of another module but the one that packs the answer."""
+ANSWERS = (RefusalError.__init__.__code__, packed.__code__)
+"""The handler has done its work when these are called."""
+BROKEN = 40 if WHOLE else 6
+"""Functions that fail, of each kind of message."""
+
+
+def handled(page: Page, kind: str, broken: CodeType | None = None) -> tuple[list[CodeType], dict[str, Any]]:
+    """Return the functions that a handler calls until its answer is known, and the answer. The one `broken` fails."""
+    called: dict[CodeType, None] = {}
+
+    def watch(frame: FrameType, event: str, argument: object) -> None:
+        code = frame.f_code
+        if code in ANSWERS:
+            sys.setprofile(None)
+        elif event == "call" and "/components/" in code.co_filename and code.co_filename != session.__file__:
+            called[code] = None
+            if code is broken:
+                raise RuntimeError(f"{code.co_name} is broken")
+
+    sys.setprofile(watch)
+    try:
+        answer = page.send({"type": kind, **MESSAGES[kind], "number": 4})
+    finally:
+        sys.setprofile(None)
+    return list(called), answer
+
+
+def test_there_is_a_message_of_each_kind() -> None:
+    kinds = {kind.__struct_config__.tag for kind in get_args(BrowserMessage)}
+    assert kinds - NOTHING_FAILS == MESSAGES.keys()
+
+
+@pytest.mark.parametrize("kind", MESSAGES)
+def test_a_failing_handler_is_reported_and_the_page_continues(kind: str) -> None:
+    handled(Page(SCENES["damped"]()), kind)  # fills the caches
+    called, _ = handled(Page(SCENES["damped"]()), kind)
+    for broken in called[:: max(1, len(called) // BROKEN)]:
+        page = Page(SCENES["damped"]())
+        before = page.now
+        reached, answer = handled(page, kind, broken)
+        assert broken in reached
+        assert (answer["answer"], SORRY in str(answer)) == (4, True), (broken, answer)
+        assert page.now == before, broken
+        told = set_values(page, k=77.0)
+        assert (told["answer"], told["settings"]["k"]["value"]) == (2, 77.0)
