@@ -1,9 +1,10 @@
-// A phone's requests to a class that is away, in every way of being away: each arrives once when the class is back.
+// A phone's requests to a class that is away, in every way of being away: each arrives once when the class is back; and
+// the stream of a class. The tests advance the clock.
 
 import assert from "node:assert/strict"
 import {afterEach, beforeEach, mock, test} from "node:test"
 
-import {FakeServer, clock, events, pass, refusing, storage} from "./browser.js"
+import {FakeServer, clock, events, happens, pass, refusing, storage} from "./browser.js"
 
 const {Copies} = await import("../../static/live_class/class_backup.js")
 const {Delivery} = await import("../../static/live_class/delivery.js")
@@ -20,7 +21,7 @@ const SKETCH = {walk: "d31", step: "d31-02", vote: 1, curves: {x1: [0, 500, null
 const FOLLOWER = {code: "ABCD", token: "word", server: "a"}
 
 /** @type {FakeServer} */ let server
-let room, away, last, holdsStreams
+let room, away, last, holdsStreams, streams, heard
 
 /** A class on the server: it stores the answers by the phone's token. */
 class Room {
@@ -36,11 +37,13 @@ class Room {
   }
 
   #stream(signal) {
-    const {answer, say} = events(signal)
-    say({number: "a.1"})
+    const answer = opened(signal)
+    streams.at(-1).say({number: "a.1"})
     return answer
   }
 }
+
+const opened = signal => streams[streams.push(events(signal)) - 1].answer
 
 const page = status => () => new Response("<html>", {status})
 
@@ -102,13 +105,13 @@ const REQUESTS = {
     }
   },
   news: () => {
-    const heard = listening()
-    return () => assert.ok(heard.includes("a.1"))
+    listen()
+    return () => assert.deepEqual([heard.news.includes("a.1"), heard.refused], [true, []])
   },
   "news through a proxy that holds streams back": () => {
     holdsStreams = true
-    const heard = listening()
-    return () => assert.deepEqual([heard.includes("a.1"), last.by], [true, "now"])
+    listen()
+    return () => assert.deepEqual([heard.news.includes("a.1"), heard.refused, last.by], [true, [], "now"])
   },
 }
 
@@ -117,15 +120,13 @@ function delivering() {
   return last
 }
 
-/** A stream; returns the numbers of the news that it has received. */
-function listening() {
-  const heard = []
+function listen(more) {
   last = new Stream("ABCD", "word", {
-    news: ({number}) => heard.push(number),
-    refused: ({message}) => assert.fail(message),
-    connected: () => {},
+    news: ({number}) => heard.news.push(number),
+    refused: ({message}) => heard.refused.push(`${message} ${Date.now()}`),
+    connected: (is, why = "") => heard.connected.push(is || why),
+    ...more,
   })
-  return heard
 }
 
 beforeEach(() => {
@@ -133,8 +134,7 @@ beforeEach(() => {
   globalThis.localStorage = storage()
   localStorage.setItem("class-ABCD", JSON.stringify({token: "word"}))
   room = new Room()
-  away = undefined
-  holdsStreams = false
+  ;[away, holdsStreams, streams, heard] = [undefined, false, [], {news: [], connected: [], refused: []}]
   server = new FakeServer()
   server.answers = (path, signal, how) => {
     const take = () => room.take(path, how, signal)
@@ -142,8 +142,11 @@ beforeEach(() => {
   }
 })
 
-afterEach(() => {
+afterEach(async () => {
   last?.close()
+  const {length} = server.asked
+  await pass(60000, 500)
+  assert.equal(server.asked.length, length, "what is closed sends no request")
   mock.timers.reset()
   mock.reset()
 })
@@ -243,4 +246,112 @@ for (const [name, put, refused, expected] of [
     copies.take("mine", "a text")
     await copies.restore()
     assert.deepEqual(orders, expected)
+  })
+
+// The stream of news.
+
+/** Answer requests for a stream with one that the test writes to. */
+const served = (path, signal) => (path.includes("/events") ? opened(signal) : undefined)
+
+test("a stream that ends or is silent is resumed at the same event; faults of the page do not end it", async () => {
+  mock.method(console, "warn", () => {})
+  server.answers = served
+  const news = ({number}) => {
+    heard.news.push(number)
+    throw new TypeError("a fault")
+  }
+  listen({news})
+  await pass(10)
+  streams[0].say({number: "a.1"})
+  streams[0].say({number: "a.2"})
+  await pass(24000, 50)
+  assert.deepEqual([heard.news, streams.length], [["a.1", "a.2"], 1])
+  await pass(3000)
+  assert.equal(streams.length, 2)
+  streams[1].end()
+  await pass(700)
+  const paths = server.asked.map(({path}) => path)
+  assert.deepEqual(paths, ["ABCD/events?after=", "ABCD/events?after=a.2", "ABCD/events?after=a.2"])
+  assert.deepEqual(heard.connected.slice(0, 3), [true, true, ""])
+})
+
+test("a silent stream is replaced by polling, and tried again in parallel", async () => {
+  server.answers = (path, signal) => {
+    if (path.includes("/now")) return Response.json({number: "a.1"})
+    if (Date.now() > 60000) return opened(signal)
+  }
+  listen()
+  await pass(2990)
+  assert.equal(last.by, "events")
+  await pass(4000)
+  assert.equal(last.by, "now")
+  assert.deepEqual(server.times("/now"), [3000, 4000, 5000, 6000])
+  await pass(57100, 50)
+  assert.equal(server.times("/events").length, 2)
+  streams[0].say({number: "a.2"})
+  await pass(10)
+  assert.equal(last.by, "events")
+  assert.ok(!heard.connected.includes(""))
+  streams.at(-1).say({number: "a.3"})
+  await pass(2000)
+  assert.equal(heard.news.at(-1), "a.3")
+  assert.ok(server.times("/now").at(-1) < 64200)
+})
+
+test("a page that wakes up reconnects quickly and drops dead connections", async () => {
+  server.answers = served
+  listen()
+  await pass(1)
+  streams[0].say({number: "a.1"})
+  await pass(10000)
+  server.answers = () => {}
+  const woken = Date.now()
+  happens("online")
+  await pass(1000)
+  const after = server.times("/events").map(at => at - woken)
+  assert.deepEqual(after.slice(1), [0, 150, 380, 720])
+  assert.equal(server.times("time").length, 15)
+  server.answers = served
+  await pass(600)
+  streams.at(-1).say({number: "a.2"})
+  await pass(1)
+  assert.equal(last.state, "events")
+  assert.ok(server.asked.filter(({path}) => path === "time").every(({signal}) => signal.aborted))
+})
+
+test("a hidden page has no stream and sends no request until it is visible, then at once", async () => {
+  const hide = is => {
+    document.hidden = is
+    document.dispatchEvent(new Event("visibilitychange"))
+  }
+  server.answers = served
+  listen({sleeps: true})
+  await pass(10)
+  hide(true)
+  await pass(30000, 50)
+  assert.ok(server.asked[0].signal.aborted)
+  assert.equal(server.asked.length, 1)
+  hide(false)
+  await pass(10)
+  assert.equal(server.asked.length, 2)
+})
+
+const missing = refusing(404, "Not there.")
+const restored = (...how) => (Date.now() < 25000 ? missing() : served(...how))
+for (const [name, answers, more, told, refused] of [
+  ["a full server never ends it", refusing(503, "Later."), {}, "Later.", []],
+  ["a missing class ends it after half a minute", missing, {}, "Not there.", ["Not there. 33300"]],
+  ["a class that has ended ends it at once", refusing(410, "Over."), {}, undefined, ["Over. 0"]],
+  ["a missing class ends it at once on the instructor's page", missing, {doubt: 0}, undefined, ["Not there. 0"]],
+  ["a class that is restored meanwhile does not", restored, {}, "Not there.", []],
+])
+  test(`refusals with a reason: ${name}`, async () => {
+    server.answers = answers
+    listen(more)
+    await pass(60000, 50)
+    assert.deepEqual([heard.connected[0], heard.refused], [told, refused])
+    const {length} = server.asked
+    happens("online")
+    await pass(100)
+    assert.equal(server.asked.length > length, !refused.length)
   })
