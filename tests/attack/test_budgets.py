@@ -17,14 +17,16 @@ from components.session.exports import AboutExport, LinkExport, PageExport
 from components.session.opening import opened
 from components.session.worker import WorkerJob, replied
 from components.state.link import Link, read_query
-from tests.attack.budgets import ABOUT, FILE, PICTURE, counted
 from tests.grids import sample, tries
+from tests.page.headless_page import PICTURE, counted
 from tests.scenes.checks import as_arguments
 from tests.states import links
 from tools.attack.extremes import ExtremeValues, Message, messages, queries, values
 from tools.attack.visit import follow, visit
 
 HERE = "http://here/"
+FILE, ABOUT = 1_800_000, 3_000_000
+"""Calls for a file of numbers and for "About these numbers" in the worker process: about 1 s at most."""
 WORST = (
     "scene=driven&push=pulses&width=0.95&Y=0.1408&omega=0.9875&m=3414&k=37.616&zeta=1.000000000000001&keep=zeta"
     "&axes=log&held.push=pulses&held.omega=0.136&held.m=5.4&held.k=0.1&held.zeta=6.83",

@@ -2,19 +2,18 @@
 
 import asyncio
 import sys
-from contextlib import suppress
+from contextlib import closing, suppress
 from http.client import HTTPException
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from tests.attack.caller import ask
-from tests.live_class.caller import Class, Stream, streams_closed
-from tests.live_class.served import CHOICE
-from tests.live_class.stores import valkey_running
-from tests.serving.served import until
+from tests.live_class.caller import Class, Stream, streams_closed, until
+from tests.live_class.questions import CHOICE
+from tests.live_class.served import Valkey
 from tests.serving.server import ROOT
+from tests.serving.visitor import ask
 from tools.deploy.site import DeployedSite, deployed, upgraded
 from tools.deploy.trials import trial
 
@@ -58,7 +57,7 @@ async def lesson(site: DeployedSite) -> None:
     for stream in streams:
         await stream.until(lambda event: event.get("question"))
         # The connection may have gone through another replica, which still counts it for some seconds.
-        await stream.until(lambda event: event.get("here") == 3, 20)
+        await stream.until(lambda event: event.get("here") == 3)
     assert "X-Accel-Buffering: no" in streams[2].headers
     for i in range(4):
         url = direct[i % 3]
@@ -71,7 +70,7 @@ async def lesson(site: DeployedSite) -> None:
     result = await asyncio.to_thread(asyncio.run, trial(site, 6, happening))
     assert result.lost == [] and result.returned >= 1
     await until(lambda: streams[0].ended and streams[1].ended)
-    back = await Stream(site.url, room.code, streams[0].word).open()
+    back = await Stream.open(site.url, room.code, streams[0].word)
     await back.until(lambda event: event.get("question", {}).get("step") == CHOICE["step"])
     await ordered(room, "show")
     await back.until(lambda event: event.get("question", {}).get("lesson"))
@@ -87,7 +86,7 @@ async def lesson(site: DeployedSite) -> None:
 @pytest.mark.timeout(300)  # three servers start
 def test_nothing_is_lost_when_a_replica_fails_another_ends_and_a_later_version_takes_over(tmp_path: Path) -> None:
     codes = (ROOT, ROOT, upgraded(tmp_path / "later"))
-    with valkey_running() as valkey, deployed(tmp_path, codes, REDIS_URL=valkey.url) as site:
+    with closing(Valkey()) as valkey, deployed(tmp_path, codes, REDIS_URL=valkey.url) as site:
         page = ask(site.url, "/?scene=oscillator")
         assert page.status == 200 and not {"Server", "Via"} & set(page.headers)
         asyncio.run(lesson(site))

@@ -17,9 +17,9 @@ from components.serving.assets import assets
 from components.serving.headers import SAFE
 from components.serving.server import ENDING
 from components.serving.settings import KNOWN, misspelt, read_settings
-from tests.attack.caller import ask
 from tests.deploy.health import health_check
 from tests.serving.server import ROOT, Server, free_port, serving
+from tests.serving.visitor import ask
 from tools.deploy.site import COOKIE_SECRET, DeployedSite, behind_caddy, caddy, deployed
 
 ASSET = f"/assets/{next(iter(assets()))}"

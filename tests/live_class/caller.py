@@ -1,18 +1,32 @@
-"""Clients of a live class without a browser: instructor, followers and their streams, byte by byte."""
+"""Clients of a live class without a browser: instructor, followers and their streams; and all messages by route, each
+of which a client can send any number of times.
+"""
 
 from __future__ import annotations
 
 import asyncio
 import json
-import time
-from collections.abc import AsyncIterator, Callable
-from contextlib import asynccontextmanager
+from collections.abc import AsyncIterator, Callable, Mapping
+from contextlib import asynccontextmanager, suppress
 from http.client import HTTPConnection
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 from urllib.parse import urlsplit
 
+from components.live_class.codes import SIGNS, Keys, code_of, join_key
+from tests.live_class.questions import CHOICE, NUMBER, SKETCH, drawn
+
 PATIENCE = 60.0
+"""Seconds to wait for an answer of the server."""
 TRACES = ("Traceback", 'File "', "site-packages", "Error:")
+Found = TypeVar("Found")
+
+
+async def until(condition: Callable[[], Found]) -> Found:
+    """Wait for a condition, and return what fulfils it."""
+    async with asyncio.timeout(PATIENCE):
+        while not (found := condition()):
+            await asyncio.sleep(0.005)
+    return found
 
 
 class Answered(NamedTuple):
@@ -56,58 +70,44 @@ async def called(*given: Any, **more: Any) -> Answered:
 
 
 class Stream:
-    """The events of a class. `heard` has those read so far, each with the time of its arrival."""
+    """The events of a class. `heard` has those read so far."""
 
     begun: set[Stream] = set()
     """Streams that are still open."""
 
-    def __init__(self, url: str, code: str, word: str) -> None:
-        self.url, self.code, self.word = url, code, word
-        self.heard: list[tuple[float, dict[str, Any]]] = []
-        self.bytes = 0
-        self.headers = ""
-        self.ended = False
-        self._task: asyncio.Task[None] | None = None
-        self._writer: asyncio.StreamWriter | None = None
-
-    async def open(self, keep: Callable[[bytes], Any] = json.loads) -> Stream:
-        host = urlsplit(self.url)
+    def __init__(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter, word: str) -> None:
+        self.word, self.headers, self.ended = word, "", False
+        self.heard: list[dict[str, Any]] = []
+        self._reader, self._writer = reader, writer
+        self._task = asyncio.create_task(self._read())
         self.begun.add(self)
-        self._reader, self._writer = await asyncio.open_connection(host.hostname, host.port, limit=2**20)
-        lines = [
-            f"GET /class/{self.code}/events HTTP/1.1", f"Host: {host.netloc}", f"Authorization: Bearer {self.word}"
-        ]  # fmt: skip
-        self._writer.write("\r\n".join([*lines, "", ""]).encode())
-        self.headers = (await asyncio.wait_for(self._reader.readuntil(b"\r\n\r\n"), PATIENCE)).decode()
-        self._task = asyncio.create_task(self._read(keep))
-        return self
 
-    async def _read(self, keep: Callable[[bytes], Any]) -> None:
-        try:
+    @classmethod
+    async def open(cls, url: str, code: str, word: str) -> Stream:
+        host = urlsplit(url)
+        reader, writer = await asyncio.open_connection(host.hostname, host.port, limit=2**20)
+        lines = f"GET /class/{code}/events HTTP/1.1", f"Host: {host.netloc}", f"Authorization: Bearer {word}"
+        writer.write("\r\n".join([*lines, "", ""]).encode())
+        stream = cls(reader, writer, word)
+        await until(lambda: stream.headers)
+        return stream
+
+    async def _read(self) -> None:
+        self.headers = (await self._reader.readuntil(b"\r\n\r\n")).decode()
+        with suppress(ConnectionError, asyncio.IncompleteReadError, ValueError):
             while size := int(await self._reader.readline() or b"0", 16):
-                chunk = await self._reader.readexactly(size + 2)
-                self.bytes += len(chunk)
-                for event in chunk.strip().split(b"\n\n"):
-                    self.heard.append((time.time(), keep(event.removeprefix(b"data: "))))
-        except (ConnectionError, asyncio.IncompleteReadError, ValueError):
-            pass
+                events = (await self._reader.readexactly(size + 2)).strip().split(b"\n\n")
+                self.heard += [json.loads(event.removeprefix(b"data: ")) for event in events]
         self.ended = True
 
-    async def until(self, holds: Callable[[dict[str, Any]], Any], seconds: float = PATIENCE) -> dict[str, Any]:
+    async def until(self, holds: Callable[[dict[str, Any]], Any]) -> dict[str, Any]:
         """Wait for an event that fulfils a condition, and return the last such event."""
-        async with asyncio.timeout(seconds):
-            while True:
-                for _, event in reversed(self.heard):
-                    if holds(event):
-                        return event
-                await asyncio.sleep(0.005)
+        return await until(lambda: next(filter(holds, reversed(self.heard)), {}))
 
     async def close(self) -> None:
         self.begun.discard(self)
-        if self._writer:
-            self._writer.close()
-        if self._task:
-            await self._task
+        self._writer.close()
+        await self._task
 
 
 @asynccontextmanager
@@ -121,6 +121,9 @@ async def streams_closed() -> AsyncIterator[None]:
 
 class Class:
     """A class, and its instructor, whose requests a proxy may have sent for an address."""
+
+    words: Mapping[str, str] = {}
+    """The words of its members; without it each message of a phone has a new one."""
 
     def __init__(self, url: str, opened: dict[str, Any], address: str = "") -> None:
         self.url, self.opened, self.headers = url, opened, {"X_Forwarded_For": address}
@@ -151,12 +154,12 @@ class Class:
         assert (await self.ask("now", word=token, url=url)).status == 200
         return token
 
-    async def follow(self, url: str = "", keep: Callable[[bytes], Any] = json.loads) -> Stream:
-        return await Stream(url or self.url, self.code, await self.token(url)).open(keep)
+    async def follow(self, url: str = "") -> Stream:
+        return await Stream.open(url or self.url, self.code, await self.token(url))
 
     async def lead(self) -> Stream:
         """Open the instructor's stream."""
-        return await Stream(self.url, self.code, self.key).open()
+        return await Stream.open(self.url, self.code, self.key)
 
     async def vote(self, token: str, url: str = "", **vote: Any) -> Answered:
         return await self.ask("answer", "PUT", vote, token, url)
@@ -164,6 +167,38 @@ class Class:
     async def voted(self, token: str, **vote: Any) -> None:
         """Send an answer, which is accepted."""
         assert (await self.vote(token, **vote)).status == 204
+
+    async def send(self, name: str, n: int = 0, **other: Any) -> Answered | None:
+        """Send a message, or one with another code, word, body, method or headers."""
+        method, route, *_ = name.split(" ")
+        kind, body, query = MESSAGES[name]
+        own = {"code": self.code, "body": body(n) if body else None, "method": method}
+        own |= {"word": self.words.get(kind, "")} if self.words else await self._new(kind, n)
+        sent = {**own, **self.headers, **other}
+        code = sent.pop("code")
+        if route.endswith("events") and not self.words:
+            await (await Stream.open(self.url, code, sent["word"])).close()
+            return None
+        return await called(self.url, route.replace("CODE", code).replace("WORD", "ABCDEFGH") + query(n), **sent)
+
+    async def _new(self, kind: str, n: int) -> dict[str, Any]:
+        """Return a word of a kind, with the code or the body that belongs to it."""
+        match kind:
+            case "new key":
+                word = Keys().new()
+                return {"word": word, "code": code_of(word)}
+            case "none":  # almost certainly the code of no class; each number gives another
+                return {"word": f"{n}.x", "code": "".join(SIGNS[n // 30**i % 30] for i in range(4))}
+            case "phone":  # enters by the QR code and asks for news
+                token = (await self.ask("token", "POST", word=join_key(self.key))).json["token"]
+                await self.ask("now", word=token)
+                return {"word": token}
+            case "ticket":
+                return {"word": "", "body": {"address": await Remote.secret(self)}}
+            case "remote":  # replaces the last one; some are refused, because too many wait
+                remote = await Remote.wait(self)
+                return {"word": remote.key if remote and (await remote.decide()).status == 200 else ""}
+        return {"word": {"key": self.key, "join": join_key(self.key)}.get(kind, "")}
 
 
 class Remote:
@@ -199,3 +234,75 @@ class Remote:
 
     async def press(self, **done: str) -> Answered:
         return await self.lesson.ask("remote", "POST", done, self.key)
+
+
+MINE = 'title = "{}"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'
+
+
+class Sent(NamedTuple):
+    """A message: whose word it has, its body, and its query; the number makes each one different."""
+
+    word: str = ""
+    body: Callable[[int], Any] | None = None
+    query: Callable[[int], str] = lambda n: ""
+
+
+def order(type: str, **fields: Callable[[int], Any]) -> Sent:
+    return Sent("key", lambda n: {"type": type, **{name: of(n) for name, of in fields.items()}})
+
+
+def answers(n: int) -> dict[str, Any]:
+    return {f"{60 * n + i:011x}abcdefgh": {**SKETCH, **drawn(500), "vote": n % 9 + 1} for i in range(60)}
+
+
+MESSAGES = {
+    "POST /class": Sent(),
+    "GET /class/time": Sent(),
+    "GET /class/CODE/lead": Sent("key"),
+    "PUT /class/CODE/lead": Sent("new key", lambda n: {}),
+    "POST /class/CODE/lead clock": order("clock", t=float, rate=float, end=float, at=float),
+    "POST /class/CODE/lead put": Sent(
+        "key", lambda n: {"type": "put", **(NUMBER, CHOICE, SKETCH)[n % 3], "vote": n % 9}
+    ),
+    "POST /class/CODE/lead walk": order(
+        "walk", name=lambda n: f"mine-{n}", text=lambda n: MINE.format("x" * 90) + f"# {n}".ljust(20_000, "x")
+    ),
+    "POST /class/CODE/lead show": order("show"),
+    "POST /class/CODE/lead close": order("close"),
+    "POST /class/CODE/lead sure": order("sure"),
+    "POST /class/CODE/lead countdown": order("countdown", seconds=int, closes=lambda n: n % 2 == 0),
+    "POST /class/CODE/lead moderate": order("moderate", text=str, shows=lambda n: n % 2 == 0),
+    "POST /class/CODE/lead withdraw": order("withdraw"),
+    "POST /class/CODE/lead screen": order("screen", next=lambda n: f"{n}".ljust(60, "x")),
+    "POST /class/CODE/lead restore": order("restore", answers=answers),
+    "GET /class/CODE/tally": Sent("key"),
+    "GET /class/CODE/answers": Sent("key", query=lambda n: f"?question=d34/d34-14/{n % 9 + 1}"),
+    "GET /class/CODE/answers of none": Sent("key", query=lambda n: f"?question=d34/none-{n}/1"),
+    "GET /class/CODE/answers.csv": Sent("key"),
+    "GET /class/CODE/summary": Sent("key"),
+    "GET /class/CODE/stored": Sent("key"),
+    "POST /class/CODE/word": Sent("key", lambda n: {"query": f"{n}".ljust(4000, "x")}),
+    "PUT /class/CODE/word": Sent("", lambda n: {"word": f"{n}"}),
+    "PUT /class/CODE/word of none": Sent("none", lambda n: {"word": ""}),
+    "POST /class/CODE/tickets": Sent("key"),
+    "PUT /class/CODE/tickets": Sent("key", lambda n: {"digits": f"{n % 90 + 10}"}),
+    "DELETE /class/CODE/tickets": Sent("key", lambda n: {"digits": f"{n % 90 + 10}"}),
+    "PUT /class/CODE/remote": Sent("ticket", lambda n: {"address": "x"}),
+    "GET /class/CODE/remote": Sent("remote"),
+    "POST /class/CODE/remote": Sent("remote", lambda n: {"deed": "next"}),
+    "GET /class/CODE/steps": Sent("remote"),
+    "POST /class/CODE/token": Sent("join"),
+    "POST /class/CODE/token of none": Sent("none"),
+    "GET /class/CODE/events": Sent("phone"),
+    "GET /class/CODE/events of the leader": Sent("key"),
+    "GET /class/CODE/now": Sent("phone"),
+    "GET /class/CODE/now of none": Sent("none"),
+    "PUT /class/CODE/answer": Sent("phone", lambda n: {**CHOICE, "option": n % 3}),
+    "POST /class/CODE/answer": Sent("phone", lambda n: {**CHOICE, "option": n % 3}),
+    "GET /CODE": Sent("none"),
+    "HEAD /CODE": Sent("none"),
+    "GET /CODE-WORD": Sent("none"),
+    "HEAD /CODE-WORD": Sent("none"),
+    "POST /class/CODE/lead end": order("end"),
+}
+"""Messages by method and route, with whatever distinguishes several of one route. An order has its type in the name."""

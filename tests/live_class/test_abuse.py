@@ -17,13 +17,12 @@ from components.language.class_messages import YEAR_2100, Order
 from components.live_class import follower_routes, instructor_routes, lead_routes, registry, remotes, room
 from components.live_class.codes import join_key
 from components.live_class.routes import CODE, LiveClass
-from components.live_class.store import MemoryStore, Store
+from components.live_class.store import MemoryStore
 from components.serving.visitors import Rate
 from tests.grids import WHOLE
-from tests.live_class.caller import Answered, Class, Remote
-from tests.live_class.messages import MESSAGES, Client
-from tests.live_class.served import BANK, CHOICE, served, taught
-from tests.live_class.stores import KINDS, Valkey, made, set_limits
+from tests.live_class.caller import MESSAGES, Answered, Class, Remote
+from tests.live_class.questions import CHOICE, SKETCH
+from tests.live_class.served import BANK, Valkey, contents, made, served, set_limits, taught
 
 METHODS = ("get", "head", "post", "put", "delete", "patch", "options")
 NAMES = {" ".join(name.split(" ")[:2]): name for name in reversed(MESSAGES)}
@@ -48,23 +47,17 @@ def test_the_table_has_each_route_and_order_of_the_product() -> None:
     }
 
 
-Act = Callable[[Client, str], Awaitable[list[Answered | None]]]
-
-
-async def contents(kept: Store, *lessons: Class) -> list[Any]:
-    codes, question = [one.code for one in lessons], "d31/d31-03/1"
-    of_each = [(await kept.parts(one), await kept.questions(one), await kept.votes(one, question)) for one in codes]
-    return [*of_each, await kept.rooms()]
+Act = Callable[[Class, str], Awaitable[list[Answered | None]]]
 
 
 def sending(**given: Any) -> Act:
-    async def act(on: Client, route: str) -> list[Answered | None]:
+    async def act(on: Class, route: str) -> list[Answered | None]:
         return [await on.send(NAMES[route], **given)]
 
     return act
 
 
-async def no_word(on: Client, route: str) -> list[Answered | None]:
+async def no_word(on: Class, route: str) -> list[Answered | None]:
     """The answers are the same for a code of no class, so nobody learns which codes are taken."""
     codes, answers = (on.code, "2222" if on.code != "2222" else "3333"), list[Answered | None]()
     for word in ("", "x" * 32, "made.up", on.words["another key"], on.words["another phone"]):
@@ -74,14 +67,14 @@ async def no_word(on: Client, route: str) -> list[Answered | None]:
     return answers
 
 
-async def other_member(on: Client, route: str) -> list[Answered | None]:
+async def other_member(on: Class, route: str) -> list[Answered | None]:
     """No member of a class can do what another may, but all can follow."""
     own = MESSAGES[NAMES[route]].word
     others = {"key": ("phone", "remote"), "phone": (), "remote": ("key", "phone")}[own]
     return [await on.send(NAMES[route], word=on.words[other]) for other in others]
 
 
-async def too_many(on: Client, route: str) -> list[Answered | None]:
+async def too_many(on: Class, route: str) -> list[Answered | None]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(Rate, "admit", lambda *_: 1.0)
         for module in (follower_routes, lead_routes):
@@ -92,7 +85,7 @@ async def too_many(on: Client, route: str) -> list[Answered | None]:
     return [refused]
 
 
-async def no_place(on: Client, route: str) -> list[Answered | None]:
+async def no_place(on: Class, route: str) -> list[Answered | None]:
     """The instructor needs no place."""
     answers = []
     for limit in ("MOST_FOLLOWERS", "ALL_FOLLOWERS"):
@@ -137,25 +130,25 @@ async def test_every_route_answers_an_abuse_in_a_sentence_and_nothing_is_lost(
         words = {"key": key, "new key": key, "join": join_key(key), "remote": (await Remote.pair(lesson)).key}
         words |= {"phone": await lesson.token(), "another key": other.key, "another phone": token}
         words["new phone"] = (await lesson.ask("token", "POST", word="")).json["token"]
-        attacker = Client(url, lesson.opened)
+        attacker = Class(url, lesson.opened)
         attacker.words = words
         if "a closed class" in abuses:
             await lesson.order("end")
         server.classes.rate.most = 30 if "no word" in abuses else 1e6
-        before = await contents(kept, lesson, other)
+        codes = lesson.code, other.code
+        before = [*[await contents(kept, code) for code in codes], await kept.rooms()]
         for abuse, (act, routes, statuses) in [(abuse, ABUSES[abuse]) for abuse in abuses]:
             for route in routes:
                 with subtests.test(f"{abuse}: {route}"):
                     for answer in await act(attacker, route):
                         assert answer and answer.status in statuses and answer.json["sentence"].endswith(".")
-        assert await contents(kept, lesson, other) == before
+        assert [*[await contents(kept, code) for code in codes], await kept.rooms()] == before
         if "no word" in abuses:  # strangers do not use up the limit of the instructor
             assert (await lesson.ask("lead")).status == 200
         await other.voted(token, **CHOICE, option=2)
         assert (await other.tally())["now"]["options"] == [0, 0, 1]
 
 
-SKETCH = {"walk": "d34", "step": "d34-14"}
 NAME, GOOD = "0" * 11 + "abcdefgh", {**CHOICE, "option": 1}
 LEAD, ANSWER = "POST /class/CODE/lead", "PUT /class/CODE/answer"
 
@@ -199,9 +192,9 @@ REFUSED: list[tuple[str, Any, int]] = [
 
 async def test_what_is_no_message_of_a_page_is_refused_and_nothing_is_stored(subtests: pytest.Subtests) -> None:
     async with taught() as (server, url, lesson):
-        client = Client(url, lesson.opened)
+        client = Class(url, lesson.opened)
         client.words = {"remote": (await Remote.pair(lesson)).key, "key": lesson.key, "phone": await lesson.token()}
-        stored = partial(contents, server.classes.registry.store, lesson)
+        stored = partial(contents, server.classes.registry.store, lesson.code)
         for route, body, status in REFUSED:
             await lesson.order("put", **(SKETCH if body.get("walk") == "d34" else CHOICE))
             before = await stored()
@@ -247,16 +240,19 @@ def bytes_of(root: object) -> int:
     return total
 
 
-@pytest.mark.parametrize("kind", [KINDS[0], pytest.param("valkey", marks=[*KINDS[1].marks, pytest.mark.slow])])
+@pytest.mark.parametrize("kind", ["memory", pytest.param("valkey", marks=pytest.mark.slow)])
 async def test_many_messages_of_a_kind_leave_no_more_than_some(
     kind: str, valkey: Valkey, small: None, subtests: pytest.Subtests
 ) -> None:
     """After some messages a limit is reached: twice or three times as many add nothing."""
-    async with made(kind, valkey.url) as kept, served(kept, trusted_proxies=("127.0.0.1",)) as (server, url):
+    async with (
+        made(valkey.url if kind == "valkey" else "") as kept,
+        served(kept, trusted_proxies=("127.0.0.1",)) as (server, url),
+    ):
         rooms = server.classes.registry
         for i, name in enumerate(MESSAGES):
             code, key = await rooms.open()
-            sender = Client(url, {"code": code, "key": key}, f"198.51.{i}.1")
+            sender = Class(url, {"code": code, "key": key}, f"198.51.{i}.1")
             await sender.order("put", **CHOICE)
             sizes, statuses = list[int](), Counter[int]()
             for turn in range(3):

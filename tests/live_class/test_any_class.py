@@ -27,8 +27,7 @@ from components.live_class.summary import stored, summary
 from components.live_class.votes_csv import votes_csv
 from tests.grids import WHOLE
 from tests.live_class.questions import OWN, QUESTIONS, Answer, Asked
-from tests.live_class.served import BANK, Listener
-from tests.live_class.stores import KINDS, made
+from tests.live_class.served import BANK, Listener, contents, made
 
 AT, PHONE = st.integers(0, 1), st.integers(0, 4)
 GIVEN = st.lists(st.tuples(PHONE, AT, PHONE, st.integers(0, 3), st.sampled_from([0] * 8 + [-1, 1])), max_size=5)
@@ -52,20 +51,20 @@ def asked_in(name: str) -> Asked:
 class AnyClass(RuleBasedStateMachine):
     """A class at two replicas. Another class, which has an answer, stays as it is."""
 
-    def __init__(self, kind: str, url: str) -> None:
+    def __init__(self, url: str) -> None:
         super().__init__()
         self.loop, self.opened, self.patch = asyncio.new_event_loop(), AsyncExitStack(), pytest.MonkeyPatch()
         self.patch.setattr(registry_of, "time", lambda: self.now)
         self.patch.setattr(room_of, "monotonic", lambda: self.now)
         self.now, self.marks, self.put, self.is_shown, self.moderated = 1.7e9, 0, said.PutTo(), False, ""
         self.votes, self.tokens, self.words = dict[str, Vote](), list[str](), dict[str, bool]()
-        self.wait_for(self.begin(kind, url))
+        self.wait_for(self.begin(url))
 
     def wait_for(self, work: Coroutine[Any, Any, Any]) -> Any:
         return self.loop.run_until_complete(asyncio.wait_for(work, 60))
 
-    async def begin(self, kind: str, url: str) -> None:
-        stores = [await self.opened.enter_async_context(made(kind, url)) for _ in range(2 if url else 1)]
+    async def begin(self, url: str) -> None:
+        stores = [await self.opened.enter_async_context(made(url)) for _ in range(2 if url else 1)]
         self.registries = [Registry(store, BANK) for store in (stores[0], stores[-1])]
         self.store, self.told = stores[0], [asyncio.Event(), asyncio.Event()]
         self.tasks = [asyncio.create_task(self.listen(at)) for at in (0, 1)]
@@ -74,11 +73,8 @@ class AnyClass(RuleBasedStateMachine):
         other = await self.registries[1].led(*await self.registries[1].open())
         await self.registries[1].obey(other, said.PutQuestion(walk="d31", step="d31-03"))
         await self.registries[1].vote(other, "one", Given(walk="d31", step="d31-03", option=1))
-        self.other, self.others = other.code, await self.all_of(other.code)
+        self.other, self.others = other.code, await contents(self.store, other.code)
         await self.enter()
-
-    async def all_of(self, code: str) -> object:
-        return await self.store.parts(code), await self.store.votes(code, "d31/d31-03/1")
 
     async def listen(self, at: int) -> None:
         def receive(code: str, parts: Parts) -> None:
@@ -305,13 +301,13 @@ class AnyClass(RuleBasedStateMachine):
         await registry.obey(room, said.EndRoom())
         await self.settle()
         assert self.leader.ended and self.follower.ended and self.follower.news[-1].ended
-        assert await self.store.parts(self.code) == {} and await self.store.questions(self.code) == []
+        assert await contents(self.store, self.code) == [{}, []]
         assert not any([await self.store.votes(self.code, name) for name in self.votes])
         followed = [second.followed(self.code, token) for token in self.tokens]
         for work in (registry.obey(room, said.Withdraw()), second.reopen(self.code, self.key), *followed):
             with pytest.raises(ClosedError, match=r"class is over\.$"):
                 await work
-        assert await self.all_of(self.other) == self.others
+        assert await contents(self.store, self.other) == self.others
 
     # what holds at any time
 
@@ -424,9 +420,7 @@ class AnyClass(RuleBasedStateMachine):
             assert one.mistaken == max(wrong.values(), default=0) == wrong[one.mistake]
 
 
-@pytest.mark.parametrize("kind", KINDS)
-def test_any_course_of_a_class(kind: str, request: pytest.FixtureRequest) -> None:
-    url = request.getfixturevalue("valkey").url if kind == "valkey" else ""
+def test_any_course_of_a_class(url: str) -> None:
     # To shrink a failure takes minutes.
     given = settings(max_examples=60 if WHOLE else 10, stateful_step_count=30, deadline=None, phases=[Phase.generate])
-    run_machine(lambda: AnyClass(kind, url), settings=given)
+    run_machine(lambda: AnyClass(url), settings=given)

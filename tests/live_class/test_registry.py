@@ -33,11 +33,9 @@ from components.walks.loading import read_walk
 from components.walks.questions.question import Judged, Written
 from components.walks.questions.sketch import SketchStep
 from tests.grids import WHOLE, sample
-from tests.live_class.messages import NUMBER, SKETCH
-from tests.live_class.questions import OWN
-from tests.live_class.served import ANSWERS, BANK, CHOICE, READ, Listener, fill, taught
-from tests.live_class.stores import Valkey, made
-from tests.serving.served import until
+from tests.live_class.caller import until
+from tests.live_class.questions import CHOICE, NUMBER, OWN, SKETCH, drawn
+from tests.live_class.served import ANSWERS, BANK, READ, Listener, Valkey, fill, made, taught
 
 CLOCK = RunClock(t=1.0, rate=0.0, end=20.0, at=0.0)
 CLOCK_PART = msgspec.json.encode(CLOCK)
@@ -177,8 +175,8 @@ async def test_a_store_that_cannot_be_used_as_it_should_is_logged_once(
 
 async def test_a_class_continues_without_the_store_and_is_written_back(valkey: Valkey) -> None:
     async with (
-        made("valkey", valkey.url) as one,
-        made("valkey", valkey.url) as other,
+        made(valkey.url) as one,
+        made(valkey.url) as other,
         kept(one) as (registry, _, key, room, leader),
         kept(other) as (second, *_),
     ):
@@ -188,7 +186,7 @@ async def test_a_class_continues_without_the_store_and_is_written_back(valkey: V
         await until(lambda: there.question.step)
         await second.vote(there, "one", Given(**CHOICE, option=1))
         assert await registry.tally(room)
-        valkey.kill()
+        valkey.close()
         await until(lambda: any(news.lost for news in follower.news) and room.lost)
         await registry.show(room, SentPicture(sheet="s", data=b"meanwhile"))
         assert leader.news[-1].picture and not any(news.picture for news in follower.news)
@@ -284,7 +282,9 @@ async def calls_by_turn() -> AsyncIterator[list[int]]:
 
 
 @pytest.mark.parametrize(
-    "asked", sample([SKETCH, {**NUMBER, "text": "7"}, {**CHOICE, "option": 1}]), ids=lambda one: one["step"]
+    "asked",
+    sample([{**SKETCH, **drawn(500)}, {**NUMBER, "text": "7"}, {**CHOICE, "option": 1}]),
+    ids=lambda one: one["step"],
 )
 async def test_no_number_of_answers_holds_the_event_loop(
     asked: dict[str, Any], monkeypatch: pytest.MonkeyPatch

@@ -20,12 +20,10 @@ from components.live_class.room import name_of
 from components.serving import worker_process
 from components.serving.shell import version
 from components.serving.worker_process import ReadingProcess
-from tests.live_class.caller import Answered, Class, Remote, Stream, called
-from tests.live_class.questions import OWN
-from tests.live_class.served import CHOICE, served, taught
-from tests.live_class.stores import Valkey, made
+from tests.live_class.caller import Answered, Class, Remote, Stream, called, until
+from tests.live_class.questions import CHOICE, OWN
+from tests.live_class.served import Valkey, made, served, taught
 from tests.page.scripts import text_of
-from tests.serving.served import until
 from tests.serving.visitor import Visitor
 
 
@@ -47,7 +45,7 @@ async def test_what_the_instructor_shows_reaches_followers_as_the_same_message()
         await visitor.move("k2", -1.0)  # refusals are not sent to the class
         late = await lesson.follow()
         assert (await late.until(lambda event: event.get("picture")))["picture"] == told["picture"]
-        assert len([event for _, event in stream.heard if "picture" in event]) == 2
+        assert len([event for event in stream.heard if "picture" in event]) == 2
         assert b"oscillations_followers 2.0" in server.context.metrics.text()
         await asyncio.gather(visitor.depart(), stranger.depart())
 
@@ -156,7 +154,7 @@ async def test_a_remote_control_is_let_in_by_its_digits_and_has_the_answer_and_n
             assert [one["shown"] for one in (await remote.look()).json["tally"]["now"]["words"]] == words
         await lesson.order("show")
         await stream.until(lambda event: event.get("question", {}).get("split"))
-        assert not any("real" in str(event) or "secret" in str(event) for _, event in stream.heard)
+        assert not any("real" in str(event) or "secret" in str(event) for event in stream.heard)
 
 
 async def test_another_computer_leads_with_a_word_that_is_good_once() -> None:
@@ -339,22 +337,22 @@ async def test_a_storm_of_streams_takes_no_places_and_a_phone_at_two_replicas_is
     """The newest streams of a phone stay open, and so do those of others. Asleep, it is none."""
     monkeypatch.setattr(follower_routes, "MOST_STREAMS", 2)
     async with (
-        made("valkey", valkey.url) as store,
-        made("valkey", valkey.url) as other,
+        made(valkey.url) as store,
+        made(valkey.url) as other,
         served(store=store) as (server, url),
         served(other) as (_, second),
     ):
         lesson = await Class.open(url)
         leader, token = await lesson.lead(), await lesson.token()
-        friend, there = await lesson.follow(second), await Stream(second, lesson.code, token).open()
-        tabs = [await Stream(url, lesson.code, token).open() for _ in range(6)]
+        friend, there = await lesson.follow(second), await Stream.open(second, lesson.code, token)
+        tabs = [await Stream.open(url, lesson.code, token) for _ in range(6)]
         await until(lambda: sum(tab.ended for tab in tabs) >= 4)
         room = server.classes.registry.rooms[lesson.code]
         assert (room.followers, room.places) == (1, 2) and not tabs[-1].ended and not friend.ended
         await leader.until(lambda event: event.get("here") == 2)
-        assert max(event.get("here", 0) for _, event in leader.heard) == 2  # never three
+        assert max(event.get("here", 0) for event in leader.heard) == 2  # never three
         await asyncio.gather(*(tab.close() for tab in (*tabs, there)))
-        await leader.until(lambda event: event is leader.heard[-1][1] and event.get("here") == 1)
+        await leader.until(lambda event: event is leader.heard[-1] and event.get("here") == 1)
         await until(lambda: len(room.streams) == 1)  # the leader's
 
 
@@ -362,7 +360,7 @@ async def test_a_vote_is_of_somebody_who_follows_or_was_here_a_moment_ago(monkey
     monkeypatch.setattr(rooms, "SILENCE", 0.05)
     async with taught() as (server, url, lesson):
         token, registry = await lesson.token(), server.classes.registry
-        stream = await Stream(url, lesson.code, token).open()
+        stream = await Stream.open(url, lesson.code, token)
         early = await lesson.vote(token, **CHOICE, option=0)  # before its question is restored
         assert early.status == 503 and "no question yet" in early.json["sentence"]
         await lesson.order("put", **CHOICE)

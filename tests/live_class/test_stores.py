@@ -1,7 +1,6 @@
 """The contract of every store of classes: one set of tests for memory and for Valkey, and both do the same."""
 
 import asyncio
-import sys
 import time
 from collections import defaultdict
 from collections.abc import Awaitable
@@ -16,8 +15,8 @@ from components.live_class import shared_store, store
 from components.live_class.codes import code_of
 from components.live_class.store import FullError, Store, UnreachableError
 from tests.grids import tries
-from tests.live_class.stores import KINDS, Valkey, made, set_limits
-from tests.serving.served import until
+from tests.live_class.caller import until
+from tests.live_class.served import Valkey, contents, made, set_limits
 
 LIMITS = {"rooms": 3, "size": 2500, "counts": 1}
 
@@ -66,25 +65,22 @@ async def outcome(work: Awaitable[Any]) -> Any:
         return type(refusal), str(refusal)
 
 
-async def contents(kept: Store, code: str) -> Any:
-    """Everything of a class."""
-    parts = await kept.parts(code)
-    named = await kept.named(code) if parts else set()  # a store may remember those of no class
-    return parts, await kept.questions(code), {one: await kept.votes(code, one) for one in "qr"}, named
+async def everything(kept: Store, code: str) -> Any:
+    parts, *votes = await contents(kept, code)
+    return parts, votes, await kept.named(code) if parts else set()  # a store may remember those of no class
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="no Valkey here")
 @settings(max_examples=tries(500))
 @given(done=DONE)
-def test_both_stores_do_the_same_and_nothing_to_other_classes(valkey: Valkey, done: list[tuple[Any, ...]]) -> None:
+def test_both_stores_do_the_same_and_nothing_to_other_classes(running: Valkey, done: list[tuple[Any, ...]]) -> None:
     async def go(patch: pytest.MonkeyPatch) -> None:
         set_limits(patch, 6000, 1000)
         for module in (store, shared_store):
             patch.setattr(module, "QUIET", 3.0)
         now, heard, times = 1.7e9, {"memory": list[Any](), "valkey": list[Any]()}, defaultdict[str, list[float]](list)
         async with (
-            made("memory", "", clock=lambda: now, **LIMITS) as memory,
-            made("valkey", valkey.emptied().url, clock=lambda: now, **LIMITS) as shared,
+            made("", clock=lambda: now, **LIMITS) as memory,
+            made(running.emptied().url, clock=lambda: now, **LIMITS) as shared,
         ):
             both = {"memory": memory, "valkey": shared}
             listening, left = [await listens(kept, heard[kind]) for kind, kept in both.items()], list[Any]()
@@ -95,17 +91,17 @@ def test_both_stores_do_the_same_and_nothing_to_other_classes(valkey: Valkey, do
                 if name == "wait":
                     now += rest[0] if now < 1.7e9 + 20 else 0.0  # later, who follows is not known any more
                     continue
-                before = {code: await contents(memory, code) for code in CODES if code not in rest[:1]}
+                before = {code: await everything(memory, code) for code in CODES if code not in rest[:1]}
                 first, second = [await outcome(getattr(kept, name)(*rest)) for kept in both.values()]
                 if name == "present":  # a shared store notes only now and then that a class is followed
                     assert await memory.keep(rest[0], {}) == await shared.keep(rest[0], {})
-                changed = [code for code, one in before.items() if one != await contents(memory, code)]
+                changed = [code for code, one in before.items() if one != await everything(memory, code)]
                 assert first == second and len(changed) <= (name == "open")  # one that is alone makes way
                 if name == "count" and isinstance(first, int):  # the whole span, and a twelfth more at most
                     times[rest[0]] += [now] * rest[2]
                     least, most = (sum(at > now - span for at in times[rest[0]]) for span in (6.0, 6.51))
                     assert least <= first <= most
-            assert [await contents(memory, one) for one in CODES] == [await contents(shared, one) for one in CODES]
+            assert [await everything(memory, one) for one in CODES] == [await everything(shared, one) for one in CODES]
             for kept in both.values():
                 await kept.publish("over", {})
             await until(lambda: all(("over", {}) in one for one in heard.values()))
@@ -130,12 +126,9 @@ async def ended(task: asyncio.Task[None]) -> None:
     await asyncio.gather(task, return_exceptions=True)
 
 
-@pytest.mark.parametrize("kind", KINDS)
-async def test_a_room_lives_as_long_as_it_is_led_and_for_some_time_while_it_is_followed(
-    kind: str, request: pytest.FixtureRequest
-) -> None:
-    url, now = request.getfixturevalue("valkey").emptied().url if kind == "valkey" else "", time.time()
-    async with made(kind, url, life=2.0, alone=1.0, clock=lambda: now) as kept:
+async def test_a_room_lives_as_long_as_it_is_led_and_for_some_time_while_it_is_followed(url: str) -> None:
+    now = time.time()
+    async with made(url, life=2.0, alone=1.0, clock=lambda: now) as kept:
         for code in ("LEDX", "FOLL", "ALON"):
             assert await kept.open(code, {"key": b"1"}) and await kept.vote(code, "q", "one", b"1")
         await kept.lend("name", b"key", b"short", 0.2)
@@ -155,12 +148,8 @@ async def test_a_room_lives_as_long_as_it_is_led_and_for_some_time_while_it_is_f
             assert bool(await kept.votes(code, "q")) is await kept.vote(code, "q", "two", b"1") is is_there
 
 
-@pytest.mark.parametrize("kind", KINDS)
-async def test_a_room_has_so_many_bytes_of_answers_and_removed_ones_make_place(
-    kind: str, request: pytest.FixtureRequest
-) -> None:
-    url = request.getfixturevalue("valkey").emptied().url if kind == "valkey" else ""
-    async with made(kind, url, size=2 * (store.OF_A_VOTE + store.OF_AN_ANSWER) + 100) as kept:
+async def test_a_room_has_so_many_bytes_of_answers_and_removed_ones_make_place(url: str) -> None:
+    async with made(url, size=2 * (store.OF_A_VOTE + store.OF_AN_ANSWER) + 100) as kept:
         await kept.open("AAAA", {"key": b"1"})
         assert await kept.vote("AAAA", "b", "one", b"x" * 60)
         with pytest.raises(FullError, match="cannot store more answers"):
@@ -177,7 +166,7 @@ async def test_the_bytes_that_are_counted_are_no_fewer_than_those_of_the_store(
 ) -> None:
     """The smallest answers need more bytes than they contain; many votes have only one answer."""
     set_limits(monkeypatch, 100_000, 10_000)
-    async with made("valkey", valkey.emptied().url) as kept:
+    async with made(valkey.url) as kept:
         for room in range(5):
             code = code_of(f"{room}")
             await kept.open(code, {"key": b"1"})
@@ -189,7 +178,7 @@ async def test_the_bytes_that_are_counted_are_no_fewer_than_those_of_the_store(
 
 
 async def test_a_full_store_says_so_and_forgets_no_class(valkey: Valkey) -> None:
-    async with made("valkey", valkey.emptied().url) as kept:
+    async with made(valkey.url) as kept:
         await kept.open("AAAA", {"key": b"1"})
         await kept.vote("AAAA", "a", "one", b"1")
         with valkey.client() as client:
@@ -208,11 +197,11 @@ async def test_a_store_that_is_away_or_falls_silent_is_noticed_and_one_that_has_
     valkey: Valkey, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(shared_store, "PULSE", 0.05)
-    async with made("valkey", "redis://127.0.0.1:1/0") as away:
+    async with made("redis://127.0.0.1:1/0") as away:
         for work in (away.parts("K7HM"), away.listen(lambda code, parts: None, lambda: None)):
             with pytest.raises(UnreachableError):
                 await work
-    async with made("valkey", valkey.url) as kept:
+    async with made(valkey.url) as kept:
         listening = await listens(kept, [])
         await asyncio.sleep(0.3)
         assert not listening.done()

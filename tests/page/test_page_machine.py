@@ -35,9 +35,8 @@ from components.state.page_state import PageState
 from components.state.scene_sheet import scene_sheet
 from components.walks.cards import walk_sheet
 from components.walks.loading import load_walks
-from tests.attack.budgets import PICTURE, counted
 from tests.grids import tries
-from tests.page.headless_page import Page, unpacked
+from tests.page.headless_page import PICTURE, Page, counted, unpacked
 from tests.page.test_covers import drawn, is_sent
 from tests.page.test_refusals import MALFORMED, WORDED
 from tests.scenes.checks import as_arguments, check_picture, quantities

@@ -9,19 +9,20 @@ from typing import Any
 from bokeh.document import Document
 from bokeh.server.session import ServerSession
 
-from app import SHEETS, open_page
+from app import SHEETS, walked
 from components.serving.server import Extension, Server
 from components.serving.settings import Settings
 from components.session.worker import Replied, WorkerJob
-from tests.attack.caller import ask
 from tests.live_class.caller import Answered
+from tests.serving.visitor import ask
 
+LECTURE = walked([])
 MUCH = 10**6
 
 
 @asynccontextmanager
 async def served(
-    page: Callable[[Document], None] = open_page,
+    page: Callable[[Document], None] = LECTURE.open_page,
     *,
     figures: Mapping[str, tuple[str, Callable[[], float]]] | None = None,
     extensions: Sequence[Extension] = (),
@@ -29,7 +30,7 @@ async def served(
 ) -> AsyncIterator[Server]:
     """Yield a server with these settings that can open any number of pages, and end it."""
     made = Settings(**{"address": "127.0.0.1", "port": 0, "arrivals": MUCH, **settings})
-    server = Server(page, made, figures, SHEETS, extensions)
+    server = Server(page, made, figures, {**SHEETS, **LECTURE.files}, extensions, LECTURE.start)
     try:
         yield server
     finally:
@@ -64,9 +65,3 @@ async def page_of(server: Server, path: str = "/", method: str = "GET", **header
 def sessions(server: Server) -> list[ServerSession]:
     found: list[ServerSession] = server.lecture.get_sessions("/")
     return found
-
-
-async def until(condition: Callable[[], bool]) -> None:
-    async with asyncio.timeout(30):
-        while not condition():
-            await asyncio.sleep(0.01)

@@ -1,68 +1,24 @@
-"""The app in a separate process on a free loopback port, started by README's command or, in tests, its function."""
+"""The app in a separate process on a free loopback port, started by README's command."""
 
 import os
-import signal
 import socket
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import partial
-from multiprocessing import get_context
 from pathlib import Path
-from typing import Any
 
 ROOT = Path(__file__).parents[2]
 START = ("-m", "components.serving")
-SERVING = "components.serving.__main__"
 PANEL = ("-m", "panel", "serve", "app.py")
-WANTED = sys.platform == "linux" and "PYTEST_VERSION" in os.environ and "COVERAGE_PROCESS_CONFIG" not in os.environ
-"""True to fork servers from a process that has imported the project, so that they start at once: only in tests without
-line coverage; measurements start the server by its command.
-"""
-
-
-class Forked:
-    """A forked process with the interface of subprocess.Popen."""
-
-    def __init__(self, arguments: list[str], environment: dict[str, str], log: Path) -> None:
-        forks: Any = get_context("forkserver")
-        forks.set_forkserver_preload([SERVING, "app"])
-        self._process = forks.Process(target=_serve, args=(arguments, environment, log), daemon=True)
-        self._process.start()
-        self.pid: int = self._process.pid
-        self.terminate, self.kill = self._process.terminate, self._process.kill
-        self.send_signal: Callable[[signal.Signals], None] = partial(os.kill, self.pid)
-
-    def poll(self) -> int | None:
-        code: int | None = self._process.exitcode
-        return code
-
-    def wait(self, timeout: float | None = None) -> int:
-        self._process.join(timeout)
-        if (code := self.poll()) is None:
-            raise subprocess.TimeoutExpired(SERVING, timeout or 0.0)
-        return code
-
-
-def _serve(arguments: list[str], environment: dict[str, str], log: Path) -> None:
-    with log.open("wb") as stream:
-        for standard in (1, 2):
-            os.dup2(stream.fileno(), standard)
-    os.environ.clear()
-    os.environ.update(environment)
-    sys.argv = [SERVING, *arguments]
-    from components.serving.__main__ import main
-
-    main()
 
 
 @dataclass(frozen=True, kw_only=True)
 class Server:
     port: int
-    process: subprocess.Popen[bytes] | Forked
+    process: subprocess.Popen[bytes]
     log: Path
 
     @property
@@ -96,20 +52,12 @@ def serving(
 ) -> Iterator[Server]:
     """Yield a server that listens, and end it. `command` replaces the default one and must listen on `port`."""
     port = port or free_port()
-    arguments = ("--address", "127.0.0.1", "--port", str(port), *options)
+    arguments = (sys.executable, *START, "--address", "127.0.0.1", "--port", str(port), *options)
     variables = {**os.environ, **(environment or {})}
-    process: subprocess.Popen[bytes] | Forked
-    if WANTED and not command and folder == ROOT:
-        process = Forked(list(arguments), variables, log)
-    else:
-        with log.open("wb") as stream:
-            process = subprocess.Popen(
-                command or (sys.executable, *START, *arguments),
-                cwd=folder,
-                env=variables,
-                stdout=stream,
-                stderr=subprocess.STDOUT,
-            )
+    with log.open("wb") as stream:
+        process = subprocess.Popen(
+            command or arguments, cwd=folder, env=variables, stdout=stream, stderr=subprocess.STDOUT
+        )
     try:
         wait_until_listening(process, port, log)
         yield Server(port=port, process=process, log=log)
@@ -130,7 +78,7 @@ def serving_panel(log: Path) -> Iterator[Server]:
         yield server
 
 
-def wait_until_listening(process: subprocess.Popen[bytes] | Forked, port: int, log: Path, limit: float = 180) -> None:
+def wait_until_listening(process: subprocess.Popen[bytes], port: int, log: Path, limit: float = 180) -> None:
     end = time.monotonic() + limit
     while time.monotonic() < end and process.poll() is None:
         try:

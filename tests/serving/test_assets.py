@@ -28,12 +28,12 @@ from components.serving.csv_route import NumbersRoute
 from components.session.exports import LinkExport, link_file
 from components.session.worker import Replied
 from components.state.csv_export import as_file
-from tests.attack.caller import ask
 from tests.grids import sample
+from tests.live_class.caller import until
 from tests.scenes.checks import as_arguments
-from tests.serving.served import FakeWorker, page_of, served, until, url
+from tests.serving.served import FakeWorker, page_of, served, url
 from tests.serving.server import Server
-from tests.serving.visitor import Visitor
+from tests.serving.visitor import Visitor, ask
 
 TYPES = {".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8", ".woff": "font/woff"}
 CODINGS = {

@@ -12,10 +12,10 @@ from prometheus_client.parser import text_string_to_metric_families
 
 from app import FIGURES
 from components.serving.server import Server as Serving
-from tests.attack.caller import Caller, ask, said
-from tests.serving.served import page_of, served, until, url
+from tests.live_class.caller import until
+from tests.serving.served import page_of, served, url
 from tests.serving.server import Server, serving
-from tests.serving.visitor import Visitor
+from tests.serving.visitor import Caller, Visitor, ask, said
 
 
 async def figures(server: Serving) -> dict[str, float]:
@@ -30,7 +30,7 @@ async def test_figures_count_what_happens() -> None:
         before = await figures(server)
         visitor, caller = await Visitor.arrive(url(server)), await Caller.arrive(url(server))
         await visitor.move("x_0", 0.5)
-        await caller.send(*said([[[[[[]]]]]]))
+        await caller.write(*said([[[[[[]]]]]]))
         await caller.closed()
         await page_of(server, "/nowhere")
         logging.getLogger("components").error("of the test")

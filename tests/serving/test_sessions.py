@@ -18,9 +18,9 @@ from components.serving.admission import FORGOTTEN, IDLE, RETURNS, Guest, Queue,
 from components.serving.sockets import MOST_MISSED, MOST_PINGS, Socket, metered
 from components.serving.tokens import opens_session
 from components.serving.visitors import MINUTE, Arrivals, Rate, networks, visitor
-from tests.attack.caller import Caller, connect, contents, event, header, patch, refused, said, token_of
-from tests.live_class.caller import Answered
-from tests.serving.served import page_of, served, sessions, until, url
+from tests.live_class.caller import Answered, until
+from tests.serving.served import page_of, served, sessions, url
+from tests.serving.visitor import Caller, contents, event, header, patch, refused, said, token_of
 
 
 class House:
@@ -83,17 +83,19 @@ async def test_idle_visitors_of_one_network_do_not_keep_all_others_out() -> None
             return [(await page_of(server, X_Forwarded_For=address)).status for address in addresses]
 
         token = token_of((await page_of(server, X_Forwarded_For="192.0.2.1")).text)
-        socket = await connect(url(server), token)
+        active = await Caller.connect(url(server), token)
         assert await statuses(*["192.0.2.1"] * 4, "198.51.100.1", "198.51.100.2") == [200] * 3 + [503, 200, 503]
         gone = next(session for session in sessions(server) if session.expiration_requested)
-        assert (await Caller(await connect(url(server), gone.token)).closed())[0] == 1013  # another visitor's place now
+        assert (await (await Caller.connect(url(server), gone.token)).closed())[
+            0
+        ] == 1013  # another visitor's place now
         admission = server.context.admission
         for session, guest in list(admission.guests.items()):
             admission.guests[session] = guest._replace(last_active=guest.last_active - IDLE)
         admission.note_activity(next(s for s in sessions(server) if s.token == token))
         assert (await statuses(*(f"203.0.{n}.1" for n in range(5)))).count(200) == 3  # the active visitor stays
-        assert socket.close_code is None
-        await Caller(socket).depart()
+        assert active.socket.close_code is None
+        await active.depart()
 
 
 async def test_a_waiting_visitor_gets_a_page_without_a_session_and_keeps_the_link_and_the_place() -> None:
@@ -202,7 +204,7 @@ def fail(_: object) -> None:
 async def test_a_token_opens_its_session_on_every_server_with_the_secret() -> None:
     async with served(bokeh_secret_key=SECRET) as first, served(bokeh_secret_key=SECRET) as second, served() as other:
         token = token_of((await page_of(first, "/?scene=coupled&k2=7")).text)
-        caller = Caller(await connect(url(second), token))
+        caller = await Caller.connect(url(second), token)
         await until(lambda: len(sessions(second)) == 1)
         assert sessions(second)[0].document.title == sessions(first)[0].document.title
         name = generate_session_id(secret_key=SECRET.encode(), signed=True)
@@ -233,13 +235,13 @@ async def test_what_fails_for_one_visitor_is_said_in_a_sentence_logged_once_and_
         page = await page_of(server)
         assert page.status == 500 and page.quiet and WORD not in page.text
         assert "Something went wrong on the server" in page.text
-        caller = Caller(await connect(url(server), token_of((await page_of(sound)).text)))
+        caller = await Caller.connect(url(server), token_of((await page_of(sound)).text))
         assert (await caller.closed())[0] == 1011 and WORD in caplog.text
         monkeypatch.setattr(ServerSession, "pull", fails)
         for message, code in ((patch(event("document_ready")), 1011), (said(None, model="p0"), 1008), (PULL, 1011)):
             caplog.clear()
             caller = await Caller.arrive(url(sound))
-            await caller.send(*message)
+            await caller.write(*message)
             found, reason = await caller.closed()
             assert found == code and (code == 1008 or "Something went wrong on the server" in reason)
             errors = [record.levelno for record in caplog.records if record.exc_info]
@@ -254,7 +256,7 @@ async def test_a_socket_is_closed_that_misses_two_pings_or_sends_pings_without_e
         for _ in range(MOST_MISSED + 1):
             for socket in list(server.context.admission.sockets):
                 socket.pulse()
-            await caller.send(*PULL)
+            await caller.write(*PULL)
             for _ in range(3):  # the answer comes after the pong
                 await caller.receive()
         assert await silent.closed() == (1001, "No answer to two pings.")
@@ -269,15 +271,14 @@ async def test_a_socket_is_closed_that_misses_two_pings_or_sends_pings_without_e
 async def test_a_page_has_one_socket_which_delays_no_answer() -> None:
     async with served() as server:
         token = token_of((await page_of(server)).text)
-        first, second = Caller(await connect(url(server), token)), Caller(await connect(url(server), token))
+        first, second = [await Caller.connect(url(server), token) for _ in range(2)]
         assert await first.closed() == (1008, "This page has a newer connection.")
         await until(lambda: len(server.context.admission.sockets) == 1)
         (socket,) = server.context.admission.sockets
         assert isinstance(socket, Socket) and socket.ws_connection is not None
         assert socket.ws_connection.stream.socket.getsockopt(IPPROTO_TCP, TCP_NODELAY)
-        for _ in range(3):  # the greeting
-            await second.receive()
-        await second.send(*PULL)
+        await second.greeted()
+        await second.write(*PULL)
         assert await second.receive()
         await second.depart()
 

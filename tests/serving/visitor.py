@@ -1,68 +1,131 @@
-"""A visitor without a browser: opens a session, over HTTP and a raw WebSocket, and moves sliders.
+"""Visitors without a browser, over HTTP and a raw WebSocket: one moves sliders, another sends what no page sends.
 
-It uses the protocol of Bokeh 3: a message is a JSON header, metadata and content, then two frames per buffer.
+They use the protocol of Bokeh 3: a message is a JSON header, metadata and content, then two frames per buffer.
 """
 
 from __future__ import annotations
 
 import asyncio
+import base64
 import json
+import re
 import zlib
-from collections import defaultdict
-from contextlib import suppress
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, Self
 
-from tornado.httpclient import HTTPError
-from tornado.websocket import WebSocketClientConnection, WebSocketClosedError
+from tornado.httpclient import HTTPClientError, HTTPError, HTTPRequest
+from tornado.websocket import WebSocketClientConnection, WebSocketClosedError, websocket_connect
 
 from components.session.panel_bridge import FROM_SERVER
-from tests.attack.caller import ask, connect, event, token_of
+from tests.live_class.caller import PATIENCE, call
+from tests.page.scripts import text_of
 
-PATIENCE = 30.0  # seconds until a missing answer is an error
 LEFT = "the server closed the session"
 USUAL: dict[str, bytes] = {}
 """The preset dictionary of each sheet, which the visitors of a process fetch once."""
 
-
-@dataclass
-class Traffic:
-    """The traffic from the server: bytes of all frames, and patches without acknowledgements."""
-
-    bytes: int = 0
-    patches: int = 0
+ask = call
 
 
-class Visitor:
-    """One open session. `traffic` counts from its opening; only bytes that carry content are counted."""
+def token_of(page: str) -> str:
+    """Return the token that opens the page's session."""
+    found = re.search(r'"token":"([^"]+)"', page)
+    if found is None:
+        raise ConnectionError("this is not a page with a session")
+    return found[1]
+
+
+def contents(token: str) -> dict[str, Any]:
+    """Return the contents of a token, which are readable without a key."""
+    said: dict[str, Any] = json.loads(_decoded(token.partition(".")[0]))
+    packed = said.pop("__bk__zlib_", None)
+    return said | (json.loads(zlib.decompress(_decoded(packed))) if packed else {})
+
+
+def _decoded(text: str) -> bytes:
+    return base64.urlsafe_b64decode(text + "=" * (-len(text) % 4))
+
+
+async def refused(url: str, token: str) -> int:
+    """Return the status of a refused handshake, or 101 if it was accepted."""
+    try:
+        await (await Caller.connect(url, token)).depart()
+    except HTTPClientError as error:
+        return error.code
+    return 101
+
+
+class Caller:
+    """A raw WebSocket on its own session."""
 
     def __init__(self, socket: WebSocketClientConnection, url: str) -> None:
-        self.traffic = Traffic()
-        self._url, self._socket, self._number, self._view = url, socket, 0, ""
-        self._arrived = defaultdict[str, asyncio.Future[Any]](asyncio.get_running_loop().create_future)
-        self._reader = asyncio.create_task(self._read())
+        self.socket, self.url = socket, url
 
     @classmethod
-    async def arrive(cls, url: str, query: str = "scene=oscillator") -> Visitor:
+    async def connect(cls, url: str, token: str, headers: dict[str, str] | None = None) -> Self:
+        """Connect a page that has its token."""
+        request = HTTPRequest(f"{url.replace('http', 'ws', 1)}ws", headers=headers)
+        return cls(await asyncio.wait_for(websocket_connect(request, subprotocols=["bokeh", token]), PATIENCE), url)
+
+    @classmethod
+    async def arrive(cls, url: str, query: str = "scene=oscillator") -> Self:
         page = await asyncio.to_thread(ask, url, f"/?{query}")
-        return await cls.connect(url, token_of(page.text))
+        caller = await cls.connect(url, token_of(page.text))
+        await caller.greeted()
+        return caller
+
+    async def greeted(self) -> None:
+        """Read the three frames of the greeting."""
+        for _ in range(3):
+            await self.receive()
+
+    async def receive(self) -> str | bytes | None:
+        """Return the next frame, or None if the server has closed."""
+        return await asyncio.wait_for(self.socket.read_message(), PATIENCE)
+
+    async def write(self, *frames: str | bytes) -> None:
+        for frame in frames:
+            await self.socket.write_message(frame, binary=isinstance(frame, bytes))
+
+    async def depart(self) -> None:
+        """Close the socket and wait until the server has closed it too."""
+        self.socket.close()
+        await self.closed()
+
+    async def closed(self) -> tuple[int | None, str]:
+        """Return the code and reason with which the server closes. Frames that come before are ignored."""
+        while await self.receive() is not None:
+            pass
+        self.socket.close()
+        return self.socket.close_code, self.socket.close_reason or ""
+
+
+class Visitor(Caller):
+    """A page's session. It counts the bytes of all frames from the server, and its patches."""
+
+    bytes = patches = number = 0
+    view = ""
 
     @classmethod
-    async def connect(cls, url: str, token: str, headers: dict[str, str] | None = None) -> Visitor:
-        """Connect a page that has its token. Raises ConnectionError if no server accepts it."""
+    async def connect(cls, url: str, token: str, headers: dict[str, str] | None = None) -> Self:
+        """Connect and load the page. Raises ConnectionError if no server accepts the token."""
         try:
-            socket = await connect(url, token, headers)
+            visitor = await super().connect(url, token, headers)
         except (HTTPError, OSError) as error:
             raise ConnectionError(str(error)) from error
-        if socket.protocol:
-            socket.protocol.set_nodelay(True)  # as browsers do
-        visitor = cls(socket, url)
+        if visitor.socket.protocol:
+            visitor.socket.protocol.set_nodelay(True)  # as browsers do
         try:
-            await visitor._start()
+            await visitor._reply("ACK")
+            pulled = await visitor._request("PULL-DOC-REQ", {}, "1")
+            visitor.view = next((model["id"] for model in pulled["doc"]["roots"]), "")
+            await visitor._request("PATCH-DOC", {"events": [event("document_ready")]})
         except (ConnectionError, TimeoutError):
             await visitor.depart()
             raise
         return visitor
+
+    async def greeted(self) -> None:
+        """Do nothing: the greeting is read."""
 
     async def move(self, parameter: str, value: float) -> None:
         """Move one slider and wait for the new picture."""
@@ -70,83 +133,52 @@ class Visitor:
 
     async def send(self, message: dict[str, Any]) -> dict[str, Any]:
         """Send a message of the page, and return its answer without the columns."""
-        data = _encoded({**message, "number": self._number})
-        answer = f"answer {self._number}"
-        await self._patch(event("from_browser", model={"id": self._view}, data=data))
-        told: dict[str, Any] = await self._answer(answer)
+        data = _encoded({**message, "number": self.number})
+        sent = event("from_browser", model={"id": self.view}, data=data)
+        told: dict[str, Any] = await self._request("PATCH-DOC", {"events": [sent]}, f"answer {self.number}")
         return told
 
-    async def depart(self) -> None:
-        """Leave and wait until the connection has ended, because an open socket can outlive the event loop."""
-        self._socket.close()
-        await asyncio.wait_for(self._reader, PATIENCE)
+    async def _request(self, kind: str, content: dict[str, Any], answer: str = "") -> Any:
+        """Send a message, and wait for its answer if it has one."""
+        self.number += 1
+        try:
+            await self.write(json.dumps({"msgid": f"{self.number}", "msgtype": kind}), "{}", json.dumps(content))
+        except WebSocketClosedError as error:
+            raise ConnectionError(LEFT) from error
+        return await self._reply(answer) if answer else None
 
-    async def _start(self) -> None:
-        await self._answer("ACK")
-        pulled = await self._answer(await self._send("PULL-DOC-REQ"))
-        self._view = next((model["id"] for model in pulled["doc"]["roots"]), "")
-        await self._patch(event("document_ready"))
+    async def _reply(self, name: str) -> Any:
+        """Read messages until the one with this name comes, and return its content."""
+        async with asyncio.timeout(PATIENCE):
+            while name not in (found := await self._message()):
+                pass
+        return found[name]
 
-    async def _patch(self, event: dict[str, Any]) -> None:
-        await self._send("PATCH-DOC", {"events": [event]})
-
-    async def _send(self, kind: str, content: dict[str, Any] | None = None) -> str:
-        """Send a message, and return the name of its answer."""
-        self._number += 1
-        name = f"visitor-{self._number}"
-        for part in ({"msgid": name, "msgtype": kind}, {}, content or {}):
-            try:
-                await self._socket.write_message(json.dumps(part))
-            except WebSocketClosedError as error:
-                raise ConnectionError(LEFT) from error
-        return name
-
-    async def _answer(self, name: str) -> Any:
-        """Wait until an answer arrives or the server closes."""
-        arrived = self._arrived[name]
-        await asyncio.wait((arrived, self._reader), timeout=PATIENCE, return_when=asyncio.FIRST_COMPLETED)
-        if not self._arrived.pop(name).done():
-            raise ConnectionError(LEFT) if self._reader.done() else TimeoutError(name)
-        return arrived.result()
-
-    async def _read(self) -> None:
-        with suppress(ConnectionError):
-            while True:
-                header, _, content = [json.loads(await self._frame()) for _ in range(3)]
-                buffers = [await self._frame() for _ in range(2 * header.get("num_buffers", 0))]
-                self.traffic.patches += header["msgtype"] == "PATCH-DOC"
-                self._take(header.get("reqid", header["msgtype"]), content)
-                for told in await self._told(content, buffers[1::2]):
-                    self._take(f"answer {told['answer']}", told)
-        self._socket.close()
-
-    def _take(self, name: str, content: Any) -> None:
-        if not self._arrived[name].done():
-            self._arrived[name].set_result(content)
-
-    async def _told(self, content: dict[str, Any], buffers: list[Any]) -> list[dict[str, Any]]:
-        """Return the messages in a patch, without their columns."""
-        told = []
+    async def _message(self) -> dict[str, Any]:
+        """Return the content of the next message, and the session's answers in it without their columns, by name."""
+        header, _, content = [json.loads(await self._frame()) for _ in range(3)]
+        buffers = [await self._frame() for _ in range(2 * header.get("num_buffers", 0))][1::2]
+        self.patches += header["msgtype"] == "PATCH-DOC"
+        found = {header.get("reqid", header["msgtype"]): content}
         for one in content.get("events", []):
             if one.get("msg_type") == FROM_SERVER:
                 sheet, _, data = buffers.pop(0).partition(b"\n")
-                preset_dictionary = await self.dictionary(sheet.decode())
-                text = zlib.decompressobj(-15, *([preset_dictionary] if preset_dictionary else [])).decompress(data)
-                told.append(json.loads(text.partition(b"\n")[0]))
-        return told
+                told = json.loads(text_of({"sheet": "", "data": data}, await self.dictionary(sheet.decode())))
+                found[f"answer {told['answer']}"] = told
+        return found
 
     async def dictionary(self, sheet: str) -> bytes:
         """Return the preset dictionary of a scene."""
         if sheet and sheet not in USUAL:
-            found = await asyncio.to_thread(ask, self._url, f"/assets/{sheet}")
+            found = await asyncio.to_thread(ask, self.url, f"/assets/{sheet}")
             USUAL[sheet] = found.json["preset_dictionary"].encode()
         return USUAL.get(sheet, b"")
 
-    async def _frame(self) -> str | bytes:
-        frame = await self._socket.read_message()
+    async def _frame(self) -> Any:
+        frame = await self.receive()
         if frame is None:
             raise ConnectionError(LEFT)
-        self.traffic.bytes += len(frame)
+        self.bytes += len(frame)
         return frame
 
 
@@ -154,3 +186,22 @@ def _encoded(value: Any) -> Any:
     if isinstance(value, dict):
         return {"type": "map", "entries": [[name, _encoded(item)] for name, item in value.items()]}
     return value
+
+
+def header(kind: str = "PATCH-DOC", **more: Any) -> str:
+    return json.dumps({"msgid": "attack", "msgtype": kind, **more})
+
+
+def patch(*events: Any) -> tuple[str, str, str]:
+    return header(), "{}", json.dumps({"events": list(events)})
+
+
+def event(name: str, **values: Any) -> dict[str, Any]:
+    wired = {"type": "map", "entries": [list(entry) for entry in values.items()]}
+    data = {"type": "event", "name": name, "values": wired}
+    return {"kind": "MessageSent", "msg_type": "bokeh_event", "msg_data": data}
+
+
+def said(data: Any, model: str = "p1") -> tuple[str, str, str]:
+    """Return the frames of a message of the page's component."""
+    return patch(event("from_browser", model={"id": model}, data=data))

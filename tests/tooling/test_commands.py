@@ -25,10 +25,9 @@ from packaging.requirements import Requirement
 from components.scenes.accuracy.measuring import LIVE
 from physics.integrators.accuracy import SYSTEMS
 from physics.integrators.accuracy_worker import encoded_system
-from tests.attack.caller import ask, token_of
 from tests.browser.fixtures import pytest_ignore_collect
 from tests.serving.server import ROOT, START, Server, free_port, serving
-from tests.serving.visitor import Visitor
+from tests.serving.visitor import Visitor, ask, token_of
 from tools.cut import cut
 from tools.readme import table
 

@@ -15,7 +15,7 @@ import yaml
 
 from components.serving.settings import HINTS, KNOWN, misspelt, read_settings
 from tests.deploy.health import health_check
-from tests.live_class.stores import valkey_binary
+from tests.live_class.served import valkey_binary
 from tests.serving.server import ROOT, free_port, serving
 
 DEPLOYMENT = (ROOT / "docs" / "deployment.md").read_text(encoding="utf-8")

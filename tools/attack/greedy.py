@@ -16,7 +16,7 @@ from time import monotonic
 from typing import Any, NamedTuple
 
 from tests.live_class.caller import Class, called
-from tests.live_class.messages import SKETCH, Client
+from tests.live_class.questions import SKETCH, drawn
 from tests.serving.visitor import Visitor
 from tools.attack.result import AttackResult
 
@@ -97,10 +97,10 @@ async def _clients(url: str) -> AsyncIterator[tuple[str, list[GreedyAct]]]:
         yield name, [_sending(page, {"type": kind}) for page in pages]
         await asyncio.gather(*(page.depart() for page in pages))
     yield "files by address", [_fetched(url, "/data.csv?" + query) for query, _ in zip(cycle(FILES), range(AT_ONCE))]
-    client = Client(url, (await Class.open(url)).opened)
-    await client.order("put", walk=SKETCH["walk"], step=SKETCH["step"])
+    client = await Class.open(url)
+    await client.order("put", **SKETCH)
     for _ in range(PHONES):
-        await client.vote(await client.token(), **SKETCH)
+        await client.vote(await client.token(), **SKETCH, **drawn(500))
     for name in OF_A_CLASS:
         yield name, [_sent(client, name)] * AT_ONCE
 
@@ -169,7 +169,7 @@ def _changed(page: Visitor, message: Message) -> GreedyAct:
     return act
 
 
-def _sent(client: Client, name: str) -> GreedyAct:
+def _sent(client: Class, name: str) -> GreedyAct:
     numbers = count()
     return lambda: client.send(name, next(numbers))
 

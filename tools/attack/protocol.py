@@ -18,8 +18,7 @@ from urllib.parse import urlsplit
 
 from tornado.websocket import WebSocketClosedError
 
-from tests.attack.caller import Caller, ask, contents, event, header, patch, refused, said, token_of
-from tests.serving.visitor import Visitor
+from tests.serving.visitor import Caller, Visitor, ask, contents, event, header, patch, refused, said, token_of
 from tools.attack.greedy import greedy
 from tools.attack.result import AttackResult
 
@@ -161,7 +160,7 @@ async def _abused(url: str) -> list[AttackResult]:
     for number, (name, frames) in enumerate(ABUSES.items()):
         caller = await Caller.arrive(url)
         with suppress(WebSocketClosedError):  # the server may close before the last frame
-            await caller.send(*frames)
+            await caller.write(*frames)
         code, reason = await caller.closed()
         found.append(AttackResult(name, code in (1003, 1008, 1009) and bool(reason), f"{code} {reason}"))
         await witness.move("k2", 1 + number / 100)
@@ -215,7 +214,7 @@ async def _flooder(url: str) -> None:
         caller = await Caller.arrive(url)
         with suppress(WebSocketClosedError):
             while monotonic() < end:
-                await caller.send(header("PULL-DOC-REQ"), "{}", "{}")
+                await caller.write(header("PULL-DOC-REQ"), "{}", "{}")
         await caller.depart()
 
 

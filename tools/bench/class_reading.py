@@ -13,7 +13,7 @@ from time import monotonic, thread_time
 
 from components.live_class.store import MemoryStore
 from tests.live_class.caller import Class, called
-from tests.live_class.messages import SKETCH
+from tests.live_class.questions import SKETCH, drawn
 from tests.live_class.served import READ, fill, served
 
 AT_ONCE = 4
@@ -47,7 +47,7 @@ async def main() -> None:
     kept = MemoryStore(size=2**30)
     async with served(kept, trusted_proxies=("127.0.0.1",)) as (_, url):
         lesson = await Class.open(url)
-        await fill(lesson, kept, SKETCH)
+        await fill(lesson, kept, {**SKETCH, **drawn(500)})
         gc.collect()
         gc.freeze()  # as the server does at its start
         print("| request | clients | networks | s | longest turn, ms |\n|---|---|---|---|---|")

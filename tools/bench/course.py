@@ -46,12 +46,12 @@ async def changing(server: Server, slug: str, changes: int) -> tuple[float, floa
     costs, sizes = [], []
     for _ in range(1 + ROUNDS):
         values.reverse()
-        before, sent = busy(process), visitor.traffic.bytes
+        before, sent = busy(process), visitor.bytes
         for value in values:
             await visitor.move(name, value)
         await asyncio.sleep(IDLE)
         costs.append(1000 * (busy(process) - before) / changes)
-        sizes.append((visitor.traffic.bytes - sent) / changes / 1000)
+        sizes.append((visitor.bytes - sent) / changes / 1000)
     await depart([visitor])
     return median(costs[1:]), median(sizes[1:])
 

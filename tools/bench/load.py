@@ -97,13 +97,13 @@ async def measure_changes(server: Server, query: str, batches: int, size: int) -
     cpu, kilobytes, patches = [], [], []
     for batch in range(batches + 1):
         await asyncio.sleep(IDLE)
-        before, sent, messages = busy(process), visitor.traffic.bytes, visitor.traffic.patches
+        before, sent, messages = busy(process), visitor.bytes, visitor.patches
         for step in range(size):
             await visitor.move(PARAMETER, 1 + (batch * size + step) / 100)
         await asyncio.sleep(IDLE)
         cpu.append(1000 * (busy(process) - before) / size)
-        kilobytes.append((visitor.traffic.bytes - sent) / size / 1000)
-        patches.append((visitor.traffic.patches - messages) / size)
+        kilobytes.append((visitor.bytes - sent) / size / 1000)
+        patches.append((visitor.patches - messages) / size)
     await visitor.depart()
     return [  # the first batch warms up
         LoadRow("one slider change: server CPU", cpu[1:], "{:.1f} ms", "5 ms"),

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import asyncio
 import time
+from contextlib import closing
 from pathlib import Path
 from urllib.parse import urlsplit
 
 from tests.live_class.caller import Class
-from tests.live_class.stores import valkey_running
+from tests.live_class.served import Valkey
 from tests.serving.server import ROOT
 from tests.serving.visitor import Visitor
 from tools.bench.followers import Hearing, drag, values
@@ -61,7 +62,7 @@ class Returning:
 
 async def outlived(folder: Path, count: int, seconds: float) -> tuple[int, list[float], int]:
     """The number lost with a replica, the seconds until each was back, and the number that lack the last picture."""
-    with valkey_running() as valkey, deployed(folder, (ROOT, ROOT), REDIS_URL=valkey.url) as site:
+    with closing(Valkey()) as valkey, deployed(folder, (ROOT, ROOT), REDIS_URL=valkey.url) as site:
         return await _class_of(site, count, seconds)
 
 

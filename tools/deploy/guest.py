@@ -8,8 +8,7 @@ from time import monotonic
 from typing import Any
 from urllib.parse import urlsplit
 
-from tests.attack.caller import token_of
-from tests.serving.visitor import Visitor
+from tests.serving.visitor import Visitor, token_of
 
 PATIENCE = 30.0
 AGAIN = 0.1
