@@ -4,12 +4,13 @@ import os
 import re
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import cache
 from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
 import pytest
-from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Page, Request, Route, expect, sync_playwright
+from playwright.sync_api import Browser, BrowserContext, Page, Request, Route, expect, sync_playwright
 
 from components.scenes import SCENES
 from tests.browser.waiting import unfold
@@ -51,16 +52,19 @@ def visitors(browser: Browser, home: str = "") -> Iterator[Callable[..., Page]]:
     """
     contexts, faults = list[BrowserContext](), list[str]()
 
+    def note(fault: str) -> None:
+        faults.append(f"{fault} during {os.environ.get('PYTEST_CURRENT_TEST')}")
+
     def make(width: int = 1280, height: int = 720, **options: Any) -> Page:
         # Playwright waits for an expression with eval, which the page forbids: tests/serving/test_assets.py.
         options = {"viewport": {"width": width, "height": height}, "bypass_csp": True, **options}
         contexts.append(browser.new_context(**options))
         contexts[-1].add_init_script(CALMER)
         page = contexts[-1].new_page()
-        page.on("pageerror", lambda error: faults.append(f"page error: {error}"))
+        page.on("pageerror", lambda error: note(f"page error: {error}"))
         if home:
-            page.on("console", lambda message: faults.extend(_console_fault(message)))
-            page.on("request", lambda request: faults.extend(_foreign(request, home)))
+            page.on("console", lambda said: said.type == "error" and note(f"console: {said.text} {said.location}"))
+            page.on("request", lambda request: _is_foreign(request, home) and note(f"another host: {request.url}"))
         return page
 
     yield make
@@ -69,8 +73,9 @@ def visitors(browser: Browser, home: str = "") -> Iterator[Callable[..., Page]]:
     assert not faults, "\n".join(faults)
 
 
-def _console_fault(message: ConsoleMessage) -> list[str]:
-    return [f"console: {message.text} {message.location}"] if message.type == "error" else []
+def _is_foreign(request: Request, home: str) -> bool:
+    address = urlsplit(request.url)
+    return address.scheme not in ("data", "blob") and address.netloc != urlsplit(home).netloc
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
@@ -132,23 +137,33 @@ def page(new_page: Callable[..., Page]) -> Page:
     return new_page()
 
 
-def _turning(browser: Browser, server: Server, *size: int, **options: Any) -> Iterator[Page]:
-    """A page for all tests of a module, which changes from scene to scene."""
+@pytest.fixture(scope="session")
+def shared(browser: Browser, server: Server) -> Iterator[Callable[..., Page]]:
+    """Makes one page of each size for all tests."""
     with visitors(browser, server.url) as make:
-        page = make(*size, **options)
-        page.goto(f"{server.url}?scene={next(iter(SCENES))}")
+        yield cache(make)
+
+
+def _turning(request: pytest.FixtureRequest, width: int, height: int, **options: Any) -> Page:
+    """A page of this size that changes from scene to scene, as its last test has left it."""
+    page: Page = request.getfixturevalue("shared")(width, height, **options)
+    has_failed = getattr(request.node, "execution_count", 1) > 1  # whatever a failed run has left is in the way
+    if has_failed or page.url == "about:blank":
+        page.goto(f"{request.getfixturevalue('server').url}?scene={next(iter(SCENES))}")
         page.wait_for_function(READY)
-        yield page
+    page.set_viewport_size({"width": width, "height": height})
+    page.evaluate("document.activeElement.blur()")
+    return page
 
 
-@pytest.fixture(scope="module")
-def desk(browser: Browser, server: Server) -> Iterator[Page]:
-    yield from _turning(browser, server)
+@pytest.fixture
+def desk(request: pytest.FixtureRequest) -> Page:
+    return _turning(request, 1280, 720)
 
 
-@pytest.fixture(scope="module")
-def phone(browser: Browser, server: Server) -> Iterator[Page]:
-    yield from _turning(browser, server, 390, 844, has_touch=True, is_mobile=True)
+@pytest.fixture
+def phone(request: pytest.FixtureRequest) -> Page:
+    return _turning(request, 390, 844, has_touch=True, is_mobile=True)
 
 
 @pytest.fixture
@@ -170,12 +185,6 @@ def open_scene(server: Server) -> Callable[..., Page]:
         return page
 
     return go
-
-
-def _foreign(request: Request, home: str) -> list[str]:
-    address = urlsplit(request.url)
-    at_home = address.scheme in ("data", "blob") or address.netloc == urlsplit(home).netloc
-    return [] if at_home else [f"request to another host: {request.url}"]
 
 
 def another_version(route: Route) -> None:

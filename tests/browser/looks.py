@@ -263,34 +263,14 @@ ORDER = r"""() => {
 }"""
 """Parts of which one is above the other, or left of it in the same line, but later in the document."""
 
-TWICE = """() => {
-  const names = [...document.querySelectorAll("button, [role=slider], input")]
-    .filter(one => one.checkVisibility() && !one.closest(".seg"))
-    .map(one => `${one.localName} ${one.type ?? ""} ${one.getAttribute("aria-label") ?? one.textContent.trim()}`)
-  const ordered = document.querySelectorAll("[tabindex]:not([tabindex='0'], [tabindex='-1'])")
-  return [...names.filter((name, i) => names.indexOf(name) !== i).map(name => `two have the name ${name}`),
-    ...[...ordered].map(one => `tabindex of ${one.className}`)]
-}"""
-"""Names that two things to press have, except the words of a choice, which its group names."""
-
-TICKS = """() => [
-  ...oscillations.plots.filter(({host}) => host.checkVisibility()).flatMap(plot => {
-    const bare = text => text.replaceAll(" ", "")
-    return [...plot.labels.scale.children].filter(number => !plot.y.ticks.some((tick, i) =>
-      bare(plot.y.labels[i]) === bare(number.textContent) &&
-      Math.abs(number.getAttribute("y") - plot.py(tick)) < 5
-    )).map(number => `not at its tick: ${number.textContent} of ${plot.block.name}`)
-  }),
-  ...[...document.querySelectorAll("svg *")].filter(one =>
-    [...one.attributes].some(attribute => /NaN|undefined|Infinity/.test(attribute.value)))
-    .map(one => `not a number: ${one.outerHTML.slice(0, 80)}`),
-]"""
-"""Numbers away from their ticks, drawings without numbers."""
-HEADS = """() => [...document.querySelectorAll(".plot .head")].filter(head => head.offsetParent).filter(head =>
-  [...head.querySelectorAll("*")].some(part =>
-    part.getBoundingClientRect().right > head.getBoundingClientRect().right + 0.5))
-  .map(head => `heading leaves its plot: ${head.textContent}`)"""
-"""Headings whose numbers have no room in their plots."""
+TICKS = """() => oscillations.plots.filter(({host}) => host.checkVisibility()).flatMap(plot => {
+  const bare = text => text.replaceAll(" ", "")
+  return [...plot.labels.scale.children].filter(number => !plot.y.ticks.some((tick, i) =>
+    bare(plot.y.labels[i]) === bare(number.textContent) &&
+    Math.abs(number.getAttribute("y") - plot.py(tick)) < 5
+  )).map(number => `not at its tick: ${number.textContent} of ${plot.block.name}`)
+})"""
+"""Numbers away from their ticks."""
 
 LOST = """() => {
   const style = document.head.appendChild(document.createElement("style"))
@@ -333,20 +313,15 @@ UNINKED = """() => oscillations.plots.filter(plot => plot.host.offsetParent && !
 """Plots without a pixel in the colour of any of their curves."""
 
 SIZES = """() => {
-  const faults = [], seen = one => one.checkVisibility()
   scrollTo(0, 500)
   const staying = [...document.querySelectorAll(".paper *, .nav")].filter(one =>
-    getComputedStyle(one).position === "sticky" && seen(one)).map(one => one.getBoundingClientRect().height)
+    getComputedStyle(one).position === "sticky" && one.checkVisibility()).map(one => one.getBoundingClientRect().height)
   scrollTo(0, 0)
   const share = staying.reduce((sum, height) => sum + height, 0) / innerHeight
   const most = document.querySelector(".transport .note:not(:empty)") ? 0.48 : 0.45 // a note is a second line
-  if (share > most) faults.push(`what stays in sight covers ${share}`)
-  const roles = document.querySelector(".roles")
-  if (roles && seen(roles) && innerWidth < 400 && roles.scrollWidth > roles.clientWidth)
-    faults.push("numbers of a table are out of sight")
-  return faults
+  return share > most ? [`what stays in sight covers ${share}`] : []
 }"""
-"""Parts that stay in sight and leave no room; tables that scroll on a phone."""
+"""Parts that stay in sight and leave no room."""
 FIELDS = """() => {
   const fields = "input:not([type=checkbox], [type=radio], [type=range]), select, textarea"
   return [...document.querySelectorAll(fields)].filter(one => parseFloat(getComputedStyle(one).fontSize) < 16)
@@ -367,30 +342,6 @@ PANEL = """() => {
   return innerHeight >= 700 && scrollHeight > clientHeight ? [`the panel is ${scrollHeight} px high`] : []
 }"""
 """The folded panel of a scene as it opens is visible, too."""
-FIRST = """([names, screens, room]) => {
-  const most = screens * innerHeight + room
-  const seen = one => one?.checkVisibility()
-  const hosts = [...oscillations.page.sheet.hosts].map(([{part}, host]) => [part, host])
-    .filter(([part]) => names.includes(part))
-  const keys = [...document.querySelectorAll(".keys-of-view:not([hidden]) > :not(h2, [hidden])")]
-    .map(host => ["keys", host]).filter(() => names.includes("keys") || screens > 1)
-  const below = [...hosts, ...keys].filter(([, host]) =>
-    !seen(host) || Math.round(host.getBoundingClientRect().bottom + scrollY) > most)
-  const missing = names.filter(name => ![...hosts, ...keys].some(([part]) => part === name))
-  const task = [...document.querySelectorAll(".view-task")].find(seen)
-  const {lineHeight, paddingTop, paddingBottom} = getComputedStyle(task)
-  const letters = task.clientHeight - parseFloat(paddingTop) - parseFloat(paddingBottom)
-  const headline = document.createRange()
-  headline.selectNodeContents(document.querySelector("h1"))
-  const lines = new Set([...headline.getClientRects()].map(({top}) => Math.round(top))).size
-  return [
-    ...missing.map(part => `${part} of the task is missing`),
-    ...below.map(([part]) => `${part} of the task is below ${most} px`),
-    ...(screens > 1 || letters < 3.5 * parseFloat(lineHeight) ? [] : ["the task has more than three lines"]),
-    ...(screens > 1 || lines < 3 ? [] : ["the headline has more than two lines"]),
-  ]
-}"""
-"""Parts that a task names and that end more than `room` px below so many screens; long tasks and headlines."""
 SIDEWAYS = """() => {
   const seen = kind => [...document.querySelectorAll(`.block.${kind}`)].filter(one => one.checkVisibility())
     .map(one => one.getBoundingClientRect()).sort((one, other) => one.top - other.top)[0]

@@ -1,7 +1,5 @@
 """A class of two phones in lectures of a step of each kind, from files: a clicker leads, a remote control looks on."""
 
-import csv
-import io
 import re
 
 import pytest
@@ -49,6 +47,11 @@ INKED = """() => {
 KEPT = "Object.keys(localStorage).filter(key => key.startsWith('class-')).length"
 
 
+def fits(lecture: Page) -> None:
+    """Nothing in the hall is cut off, covered or too small, with the votes of the class."""
+    assert list(in_hall(lecture, lecture.evaluate("innerHeight"), "")) == []
+
+
 def back_again(lecture: Page, phone: Page) -> None:
     """The answer is taken back for all, also after a reload, and shown again without a new vote."""
     clicked(lecture, "PageUp")
@@ -88,6 +91,7 @@ def choice(lecture: Page, phone: Page, other: Page, _: Page) -> None:
     clicked(lecture)
     counted(lecture, "1 → 2", "1 → 0", "0 → 0")
     expect(lecture.locator(".vote-bar .before")).to_have_count(2)  # the first vote stays outlined
+    fits(lecture)
     shown = [[row.inner_text() for row in page.locator(".answers .name").all()] for page in (lecture, phone)]
     assert shown[0] == shown[1], "one order for all"
     clicked(lecture)
@@ -106,8 +110,10 @@ def judged(lecture: Page, phone: Page, other: Page) -> None:
     lecture.reload()
     lecture.wait_for_function("oscillations.walks.walk?.lesson")  # a question whose answer was shown is not asked again
     counted(lecture, "1 → 2", "1 → 0", "0 → 0")
+    fits(lecture)
     clicked(lecture)
     expect(lecture.locator(".card .why")).to_be_visible()
+    fits(lecture)
     clicked(lecture)
 
 
@@ -138,6 +144,7 @@ def number(lecture: Page, phone: Page, other: Page, remote: Page) -> None:
     expect(lecture.locator(".votes .all")).to_have_text("1 of 2 is right")
     expect(lecture.locator(".votes .sure")).to_contain_text("1 fairly sure (1 right)")
     expect(lecture.locator(".vote-line .truth")).to_have_text("2 s")
+    fits(lecture)
     back_again(lecture, phone)
     remote.get_by_role("button", name="How it follows").click()
     expect(lecture.locator(".card .follows .lines")).to_be_visible()
@@ -156,6 +163,7 @@ def point(lecture: Page, phone: Page, other: Page, remote: Page) -> None:
     }""")  # the answers are on the axis itself, next to where the mark begins
     clicked(lecture)
     expect(lecture.locator(".votes .all")).to_have_text("0 of 2 are right")
+    fits(lecture)
     clicked(lecture)
     expect(lecture.locator(".card .why")).to_be_visible()
     clicked(lecture)
@@ -175,7 +183,7 @@ def words(lecture: Page, phone: Page, other: Page, remote: Page) -> None:
     remote.get_by_role("listitem").filter(has_text=BOLD).get_by_role("button", name="Show").click()
     expect(lecture.locator(".words-shown li")).to_have_text([BOLD])
     expect(lecture.locator(".words-shown b")).to_have_count(0)
-    assert list(in_hall(lecture, 1080, "words")) == []  # with-votes tests look at the other kinds
+    fits(lecture)
     expect(remote.get_by_role("button", name="Remove")).to_have_count(1)
     remote.get_by_role("button", name="Remove").click()
     expect(lecture.locator(".words-shown li")).to_have_count(0)
@@ -205,6 +213,7 @@ def sketch(lecture: Page, phone: Page, other: Page, _: Page) -> None:
     box = ink.bounding_box()
     assert box and box["width"] > 1700 and box["height"] > 500
     lecture.wait_for_function(INKED)
+    fits(lecture)
     for one in (phone, other):
         expect(one.locator(".findings li")).to_have_count(5)
     clicked(lecture)
@@ -232,7 +241,7 @@ def poll(lecture: Page, phone: Page, other: Page, _: Page) -> None:
         assert len(drawn["Xp1"]) == 101, "it is still theirs"
 
 
-def ended(lecture: Page, phone: Page, deletes: str) -> list[list[str]]:
+def ended(lecture: Page, phone: Page, deletes: str) -> None:
     """The page says what the end of a class deletes, and offers the CSV; a clicker does not end a class."""
     dialog = lecture.get_by_role("dialog", name="End the class")
     lecture.keyboard.press("j")
@@ -253,7 +262,7 @@ def ended(lecture: Page, phone: Page, deletes: str) -> list[list[str]]:
     lecture.keyboard.press("Enter")  # the next press ends the class
     expect(lecture.get_by_text("The class is over.")).to_be_visible()
     expect(lecture.get_by_role("dialog")).to_have_count(0)
-    return list(csv.reader(io.StringIO(download.value.path().read_text("utf-8"))))
+    assert download.value.path().read_text("utf-8").startswith("phone,time,here,walk,step,vote,question,answer")
 
 
 LECTURES = {
@@ -263,7 +272,7 @@ LECTURES = {
 
 
 @pytest.mark.timeout(600)  # four windows on a busy machine
-@pytest.mark.parametrize("name", LECTURES)
+@pytest.mark.parametrize("name", ["choices", pytest.param("places", marks=pytest.mark.slow)])
 def test_a_lecture(window: Open, name: str) -> None:
     file, acts, deletes = LECTURES[name]
     lecture, code = taught(window, "scene=oscillator&projector")
@@ -275,12 +284,7 @@ def test_a_lecture(window: Open, name: str) -> None:
     for act in acts:
         act(lecture, phone, other, remote)
     remote.close()  # it would continue to poll, and get the answer that there is no such class
-    rows = ended(lecture, phone, deletes)
+    ended(lecture, phone, deletes)
     for one in (phone, other):
         expect(one.get_by_role("heading", name="The class is over.")).to_be_visible()
         assert one.evaluate(KEPT) == 0
-    assert any(row[7] == BOLD for row in rows) == (name == "places")
-    if name == "choices":
-        own = next(row[0] for row in rows if row[4:8:3] == ["mass", "2"])
-        answers = ["-".join([*row[3:6], row[9]]) for row in rows if row[0] == own]
-        assert answers[:3] == ["own-pull-1-no", "own-pull-2-yes", "own-mass-1-yes"]

@@ -1,14 +1,17 @@
-"""The control panel: fields, sliders, refusals, help; keys of a scene and of a clicker."""
+"""The page by hand, by keys and for screen readers: fields, sliders, help, tabs, the navigation, what is announced."""
 
+import math
 import re
 from collections.abc import Callable
 
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
-from tests.browser.looks import TAUGHT
+from components.scenes import SCENES
+from tests.browser.looks import GRID, TAUGHT, faults
 from tests.browser.touch import Finger, middle, stroke, value
 from tests.browser.waiting import clicked, is_shown, passed, turned, typed
+from tests.grids import sample
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
@@ -29,13 +32,8 @@ def problem(page: Page, name: str) -> Locator:
 def test_a_slider_has_a_name_and_sets_its_value_by_mouse_and_keys(desk: Page) -> None:
     """Keys go to the next value, by two digits where the scale is logarithmic, and by decades or tenths."""
     turned(desk, "coupled", {})
-    for name, label in (
-        ("m1", "m1, mass, kg"),
-        ("k2", "k2, stiffness, N/m"),
-        ("x1_0", "x1, displacement of mass 1, m"),
-    ):
-        expect(field(desk, name)).to_have_accessible_name(label)
-        expect(slider(desk, name)).to_have_accessible_name(label)
+    for part in (field, slider):
+        expect(part(desk, "x1_0")).to_have_accessible_name("x1, displacement of mass 1, m")
     expect(field(desk, "k2")).to_have_value("2.00")
     expect(slider(desk, "k2")).to_have_attribute("aria-valuetext", "2.00 N/m")
     both = desk.get_by_role("button", name="Both", exact=True)
@@ -170,60 +168,61 @@ def playing(page: Page) -> bool:
     return bool(page.evaluate("oscillations.clock.playing"))
 
 
-def test_keys_of_a_scene(page: Page, open_scene: Open) -> None:
+def test_keys_of_a_scene(desk: Page) -> None:
     """None acts while something is typed. The key that ends a blank screen does nothing else."""
     now = "oscillations.clock.t"
-    open_scene(page, scene="coupled")
-    before = playing(page)
-    page.keyboard.press("Space")
-    assert playing(page) is not before
-    page.keyboard.press("]")
-    later = page.evaluate(now)
-    assert later > 0 and not playing(page)
-    page.keyboard.press("[")
-    assert page.evaluate(now) < later
-    page.keyboard.press("]")
-    page.keyboard.press("Home")
-    assert page.evaluate(now) == 0
-    page.keyboard.press("2")
-    page.wait_for_function("oscillations.shown.preset === oscillations.page.spec.panel.presets[1].name")
-    page.keyboard.press("b")
-    expect(page.locator(".blank")).to_be_visible()
-    before = playing(page)
-    page.keyboard.press("Space")
-    expect(page.locator(".blank")).to_have_count(0)
-    assert playing(page) is before
+    turned(desk, "coupled", {})
+    before = playing(desk)
+    desk.keyboard.press("Space")
+    assert playing(desk) is not before
+    desk.keyboard.press("]")
+    later = desk.evaluate(now)
+    assert later > 0 and not playing(desk)
+    desk.keyboard.press("[")
+    assert desk.evaluate(now) < later
+    desk.keyboard.press("]")
+    desk.keyboard.press("Home")
+    assert desk.evaluate(now) == 0
+    desk.keyboard.press("2")
+    desk.wait_for_function("oscillations.shown.preset === oscillations.page.spec.panel.presets[1].name")
+    desk.keyboard.press("b")
+    expect(desk.locator(".blank")).to_be_visible()
+    before = playing(desk)
+    desk.keyboard.press("Space")
+    expect(desk.locator(".blank")).to_have_count(0)
+    assert playing(desk) is before
     for count in (1, 0):  # a clicker sends the same one again
-        page.keyboard.press(".")
-        expect(page.locator(".blank")).to_have_count(count)
-    state = page.evaluate("[oscillations.clock.playing, oscillations.shown.preset]")
-    field = page.locator(".panel input[name=k2]").last
+        desk.keyboard.press(".")
+        expect(desk.locator(".blank")).to_have_count(count)
+    state = desk.evaluate("[oscillations.clock.playing, oscillations.shown.preset]")
+    field = desk.locator(".panel input[name=k2]").last
     field.fill("")
     field.press_sequentially("2 fwb?.")
     assert field.input_value() == "2 fwb?."
-    assert page.locator(".blank, dialog.keys, .walks[open]").count() == 0
-    assert page.evaluate("[oscillations.clock.playing, oscillations.shown.preset]") == state
+    assert desk.locator(".blank, dialog.keys, .walks[open]").count() == 0
+    assert desk.evaluate("[oscillations.clock.playing, oscillations.shown.preset]") == state
 
 
-def test_the_list_names_each_key_and_single_letters_can_be_switched_off(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="coupled")
-    page.keyboard.press("?")
-    keys = page.get_by_role("dialog", name="Keys")
+def test_the_list_names_each_key_and_single_letters_can_be_switched_off(desk: Page) -> None:
+    turned(desk, "coupled", {})
+    desk.keyboard.press("?")
+    keys = desk.get_by_role("dialog", name="Keys")
     expect(keys.get_by_role("button", name="Close", exact=True)).to_be_focused()
-    before = playing(page)
+    before = playing(desk)
     keys.get_by_role("button", name="Play or pause").click()
-    assert playing(page) is not before
+    assert playing(desk) is not before
     keys.get_by_label("Single-letter shortcuts on").uncheck()
     keys.get_by_role("button", name="Close", exact=True).click()
-    page.keyboard.press("b")
-    assert page.locator(".blank").count() == 0
-    page.keyboard.press("?")
+    desk.keyboard.press("b")
+    assert desk.locator(".blank").count() == 0
+    desk.keyboard.press("?")
     expect(keys).to_be_visible()
     keys.get_by_label("Single-letter shortcuts on").check()
-    page.keyboard.press("Escape")
+    desk.keyboard.press("Escape")
     expect(keys).to_have_count(0)
-    page.keyboard.press("b")
-    expect(page.locator(".blank")).to_be_visible()
+    desk.keyboard.press("b")
+    expect(desk.locator(".blank")).to_be_visible()
+    desk.keyboard.press("b")
 
 
 def closes_the_topmost_dialog(page: Page) -> None:
@@ -238,23 +237,8 @@ def closes_the_topmost_dialog(page: Page) -> None:
         assert not page.evaluate(TAUGHT)
 
 
-def stops_at_the_last_slide(page: Page) -> None:
-    """Then it goes back."""
-    last = "oscillations.walks.walk.sheet.steps.length - 1"
-    page.wait_for_function("oscillations.walks.walk?.card")
-    page.evaluate(f"oscillations.walks.walk.go({last})")
-    page.wait_for_function(f"oscillations.walks.walk.place === {last}")
-    clicked(page)
-    page.wait_for_function(TAUGHT)
-    for _ in range(3):
-        clicked(page)
-        expect(page.locator("dialog.finish")).to_be_visible()
-    clicked(page, "PageUp")
-    expect(page.locator("dialog.finish")).to_be_hidden()
-
-
 def test_a_clicker_leads_through_a_walk_and_takes_an_answer_back(page: Page, open_scene: Open) -> None:
-    """Two presses at once are one. It closes the topmost dialog first, and stops at the last slide."""
+    """Two presses at once are one. It closes the topmost dialog first."""
     open_scene(page, walk="d34", step="d34-02")
     page.wait_for_function(AT, arg="d34/d34-02")
     page.keyboard.press("Space")
@@ -281,5 +265,162 @@ def test_a_clicker_leads_through_a_walk_and_takes_an_answer_back(page: Page, ope
     page.wait_for_function(AT, arg="d34/d34-02")
     page.keyboard.press("Escape")
     expect(page.locator(".card")).to_be_visible()  # Esc never leaves a walk
-    open_scene(page, walk="tour", step="1")
-    stops_at_the_last_slide(page)
+
+
+MOST_STOPS = 150
+STOP = """() => {
+  const one = document.activeElement
+  const name = (one.getAttribute("aria-label") || one.labels?.[0]?.textContent || one.textContent).trim()
+  for (let at = one; at && at !== document.body; at = at.parentElement) {
+    const {outlineStyle, outlineWidth} = getComputedStyle(at)
+    if (outlineStyle !== "none" && parseFloat(outlineWidth) >= 2) return [name, true]
+  }
+  return [name, one === document.body || one.matches("input[type=range]")]
+}"""
+"""The name of the part with the focus, and whether its focus is visible."""
+
+
+def test_the_tab_key_goes_round_is_seen_everywhere_and_changes_nothing(new_page: Open, open_scene: Open) -> None:
+    """It begins with links to the picture and to the controls. Each stop of the paper has its own name."""
+    page = open_scene(new_page(reduced_motion="reduce"), folded=True, scene="energy")
+    assert page.evaluate("oscillations.clock.playing") is False
+    expect(page.get_by_role("button", name="Play", exact=True)).to_be_visible()
+    state, stops, unseen = page.evaluate("JSON.stringify(oscillations.shown.state)"), list[str](), list[str]()
+    for _ in range(MOST_STOPS):
+        page.keyboard.press("Tab")
+        name, seen = page.evaluate(STOP)
+        unseen += [] if seen else [name]
+        if stops and name == stops[0]:
+            break
+        stops.append(name)
+    else:
+        pytest.fail("the Tab key does not come back")
+    assert unseen == []
+    assert page.evaluate("JSON.stringify(oscillations.shown.state)") == state
+    assert stops[:2] == ["Skip to the picture", "Skip to the controls"]
+    assert not {*page.evaluate("oscillations.plots.map(p => p.block.title)")} & {*stops}, "keys do nothing there"
+    paper = stops[stops.index("Light or dark") + 1 : stops.index("Restart")]
+    assert len({*paper}) == len(paper) and "Kinetic energy: T" in paper
+    assert any(name.startswith("Time,") for name in paper)
+    page.keyboard.press("Tab")
+    link = page.get_by_role("link", name="Skip to the controls")
+    expect(link).to_be_focused()
+    expect(link).to_be_in_viewport()
+    page.keyboard.press("Enter")
+    expect(page.get_by_role("complementary", name="Controls")).to_be_focused()
+
+
+def test_tabs_are_chosen_by_keys_and_the_focus_goes_along(desk: Page) -> None:
+    names = [view.name for view in SCENES["damped"].views]
+    turned(desk, "damped", {"view": SCENES["damped"].views[0].slug})
+    desk.locator("h1").focus()
+    for key, name in ((";", names[1]), (",", names[0])):
+        desk.keyboard.press(key)
+        expect(desk.get_by_role("tab", selected=True)).to_have_text(name)
+    desk.get_by_role("tab").first.focus()
+    for key, name in (("ArrowLeft", names[-1]), ("Home", names[0]), ("End", names[-1]), ("ArrowRight", names[0])):
+        desk.keyboard.press(key)
+        expect(desk.get_by_role("tab", name=name, exact=True)).to_be_focused()
+    controlled = desk.get_by_role("tab").first.get_attribute("aria-controls")
+    assert desk.locator(f"#{controlled}[role=tabpanel]").count() == 1
+    desk.get_by_role("button", name="Undo").click()
+    expect(desk.get_by_role("tab", selected=True)).to_have_text(names[-1])
+
+
+def test_forced_colours_distinguish_pressed_buttons_and_the_current_page(desk: Page) -> None:
+    shown = "one => (s => [s.backgroundColor, s.borderBottomColor, s.outlineStyle].join())(getComputedStyle(one))"
+    turned(desk, "coupled", {})
+    for scheme in ("light", "dark"):
+        desk.emulate_media(forced_colors="active", color_scheme=scheme)
+        for pressed, other in (
+            (".chip[aria-pressed=true]", ".chip[aria-pressed=false]"),
+            (".group .seg [aria-pressed=true]", ".group .seg [aria-pressed=false]"),
+            (".nav nav [aria-current=page]", ".nav nav a:not([aria-current])"),
+        ):
+            one, another = (desk.locator(selector).first.evaluate(shown) for selector in (pressed, other))
+            assert one != another, (scheme, pressed)
+        adjusted = "one => getComputedStyle(one).forcedColorAdjust"
+        assert desk.locator("input[type=range]").first.evaluate(adjusted) == "none", "its track has its colours"
+    desk.emulate_media(forced_colors="none", color_scheme="light")
+
+
+def test_a_folded_lecture_opens_by_mouse_and_keys(desk: Page) -> None:
+    turned(desk, "coupled", {})
+    links, first = desk.locator(".nav .scenes a:visible"), desk.locator(".nav .scene-group > button:visible").first
+    expect(links).to_have_text([scene.title for scene in SCENES.values() if scene.lecture == "D34"])
+    first.click()
+    expect(first).to_have_attribute("aria-expanded", "true")
+    desk.locator(".panel").click(position={"x": 4, "y": 4})
+    expect(first).to_have_attribute("aria-expanded", "false")
+    first.focus()
+    for key, title in (("ArrowDown", "Oscillator"), ("ArrowDown", "Energy"), ("ArrowUp", "Oscillator")):
+        desk.keyboard.press(key)
+        expect(desk.get_by_role("link", name=title)).to_be_focused()
+    desk.keyboard.press("Escape")
+    expect(first).to_be_focused()
+    expect(first).to_have_attribute("aria-expanded", "false")
+    for key in ("Enter", "Tab", "Enter"):
+        desk.keyboard.press(key)
+    expect(desk.locator("h1")).to_have_text(SCENES["oscillator"].headline)
+    expect(links).to_have_text([scene.title for scene in SCENES.values() if scene.lecture == "D31"])
+
+
+def test_on_a_narrow_screen_all_scenes_are_in_one_list_and_turning_keeps_the_focus(desk: Page) -> None:
+    """On no screen the navigation runs into anything."""
+    turned(desk, "coupled", {})
+    for width, height in sample(GRID, 4):
+        desk.set_viewport_size({"width": width, "height": height})
+        assert [fault for fault in faults(desk) if "nav: " in fault] == [], (width, height)
+    links, theme = desk.locator(".nav .scenes a:visible"), desk.locator("#theme")
+    for width, height, to in ((820, 900, "energy"), (390, 844, "phugoid"), (320, 640, "energy")):
+        theme.focus()
+        desk.set_viewport_size({"width": width, "height": height})
+        passed(desk)
+        expect(theme).to_be_focused()
+        desk.locator(".scene-menu summary").click()
+        expect(links).to_have_text([scene.title for scene in SCENES.values()])
+        expect(desk.locator(".nav .scene-group > button:visible")).to_have_count(0)
+        # The open list may cover the page.
+        assert [one for one in faults(desk) if all("nav: " in part for part in one.split(" | "))] == [], width
+        desk.locator(f".nav .scenes a[data-scene={to}]").click()
+        expect(desk.locator("h1")).to_have_text(SCENES[to].headline)
+        expect(links).to_have_count(0)
+
+
+def described(page: Page, name: str) -> str:
+    """Return the description of a plot, once it has one."""
+    page.wait_for_function('name => document.getElementById(`says-${name}`)?.textContent !== ""', arg=name)
+    return str(page.evaluate("name => document.getElementById(`says-${name}`).textContent", name))
+
+
+def test_a_plot_is_described_by_its_motion_and_a_change_announced_in_one_sentence(page: Page, open_scene: Open) -> None:
+    """A turning point is where the motion turns, not at the nearest drawn point. The figure has the description as its
+    own.
+    """
+    open_scene(page, scene="oscillator")
+    scene = SCENES["oscillator"]()
+    omega_n = math.sqrt(scene.k / scene.m)
+    lowest = (math.pi + math.atan2(scene.v_0 / omega_n, scene.x_0)) / omega_n
+    depth = math.hypot(scene.x_0, scene.v_0 / omega_n)
+    assert f"lowest −{depth:.3g} m at {lowest:.3g} s, highest" in described(page, "x")
+    told = re.compile(r"^Displacement against time\. Horizontal axis 0 s to 2 s")
+    figure = page.get_by_role("img", name="Displacement against time")
+    expect(figure).to_have_accessible_description(told)
+    turned(page, "coupled", {})
+    described(page, "x1")
+    heard = page.locator(".page > [role=status]")
+    expect(heard).to_have_text("")
+    before, now = SCENES["coupled"]().shown.values, SCENES["coupled"](k2=3.0).shown.values
+    page.evaluate("oscillations.send({type: 'set', values: {k2: 3}})")
+    parts = ("Slow mode omega_minus rad/s", "fast mode omega_plus rad/s", "energy E_total J")
+    names = [part.rsplit(maxsplit=2) for part in parts]
+    said = [f"{name} {now[key]} {unit}, was {before[key]} {unit}" for name, key, unit in names]
+    expect(heard).to_have_text("; ".join(said) + ".")
+    page.evaluate("oscillations.send({type: 'set', values: {v1_0: 1}})")
+    expect(heard).to_have_text(re.compile(r"^Energy [\d.]+ J, was [\d.]+ J; unchanged: slow mode, fast mode\.$"))
+    state = "{...oscillations.shown.state, covered: ['value:omega_minus', 'plot:x2']}"
+    page.evaluate(f"oscillations.send({{type: 'open', state: {state}}})")
+    page.evaluate("oscillations.send({type: 'set', values: {k1: 9}})")
+    expect(heard).to_have_text(re.compile("^Fast mode .*"))
+    assert "slow" not in (heard.text_content() or "").lower(), "a hidden number is announced"
+    assert described(page, "x2").endswith("Covered until you press Reveal.")

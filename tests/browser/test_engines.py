@@ -1,19 +1,15 @@
 """Scenes, a visitor's journey and what engines do in their own way, in Safari's engine and in Firefox."""
 
 from collections.abc import Iterator
-from pathlib import Path
 
-import numpy as np
 import pytest
-from PIL import Image
 
-from components.layout.text import mathml
 from components.scenes import SCENES
 from tests.browser.fixtures import CONNECTED, READY
 from tests.browser.touch import Point, stroke, value
 from tests.browser.waiting import FRAMES, PASSED, QUIET
 from tests.grids import sample
-from tests.serving.server import Server, free_port, serving
+from tests.serving.server import Server
 from tools.browsers import firefox, webkit
 from tools.browsers.driven import DrivenWindow
 
@@ -98,19 +94,6 @@ def test_a_scene_is_drawn_moves_and_answers(engine: DrivenWindow, server: Server
     assert engine.evaluate("document.thrown") == []
 
 
-STACKED = "Number(getComputedStyle(document.querySelector('.page')).getPropertyValue('--stacked'))"
-BAR = "(innerWidth - document.documentElement.clientWidth)"
-
-
-def test_the_scrollbar_of_a_narrow_window_keeps_no_stacked_layout(engine: DrivenWindow, server: Server) -> None:
-    """A stacked page scrolls, a wide one does not. The bar takes up to 21 px of the width that decides the layout."""
-    engine.set_viewport_size({"width": 1000, "height": 720})
-    opened(engine, f"{server.url}?scene=analogues")
-    assert engine.evaluate(f"[{STACKED}, {BAR} > 0]") == [1, True]
-    engine.set_viewport_size({"width": 1280, "height": 720})
-    engine.wait_for_function(f"innerWidth === 1280 && !{STACKED} && !{BAR}")
-
-
 def test_what_appears_above_does_not_move_what_is_in_sight(engine: DrivenWindow, server: Server) -> None:
     top = "document.querySelector('input[name=k2-slider]').getBoundingClientRect().top"
     engine.set_viewport_size({"width": 390, "height": 844})
@@ -123,34 +106,6 @@ def test_what_appears_above_does_not_move_what_is_in_sight(engine: DrivenWindow,
     engine.wait_for_function("scrollY > 380")
     assert abs(engine.evaluate(top) - stood) <= 1
     engine.set_viewport_size({"width": 1280, "height": 720})
-
-
-SIZE = 80  # px of the text
-SHOW = f"""formula => {{
-  document.body.innerHTML = `<div style="padding: 100px; font-size: {SIZE}px">${{formula}}</div>`
-  return document.fonts.ready.then(() => new Promise(drawn => requestAnimationFrame(() => setTimeout(drawn, 100))))
-}}"""
-
-
-def gap(window: DrivenWindow, latex: str, path: Path) -> int:
-    """The gap between two parts of a formula above each other, in px, whatever boxes an engine reports."""
-    window.evaluate(SHOW, mathml(latex))
-    window.screenshot(path=path)
-    dark = np.asarray(Image.open(path).convert("L")) < 128
-    _, upper, lower, _ = np.flatnonzero(np.diff(dark.any(axis=1).astype(int)))
-    return int(lower - upper)
-
-
-def test_formulas_look_the_same(engine: DrivenWindow, server: Server, tmp_path: Path) -> None:
-    """The dots of a derivative are close above its letter. Words are as large as the text around them, and letters
-    larger, because those of the font of formulas are small.
-    """
-    opened(engine, f"{server.url}?scene=energy")
-    for latex in (r"\dot{x}", r"\ddot{\theta}"):
-        assert 0.05 * SIZE < gap(engine, latex, tmp_path / "formula.png") < 0.25 * SIZE, latex
-    engine.evaluate(SHOW, mathml(r"\text{slow} = x"))
-    sizes = "['mtext', 'mi'].map(name => parseFloat(getComputedStyle(document.querySelector(name)).fontSize))"
-    assert engine.evaluate(sizes) == pytest.approx([1.05 * SIZE, 1.13 * SIZE], abs=0.005 * SIZE)
 
 
 CARD = f"{CONNECTED} && oscillations.walks.walk?.card && {QUIET}"
@@ -204,17 +159,3 @@ def test_a_sketch_of_a_walk_is_answered_and_explained(engine: DrivenWindow, serv
     assert engine.evaluate("oscillations.walks.walk.lesson.right") is not None
     engine.keyboard.press("PageDown")
     engine.wait_for_function(f"!{LESSON} || document.querySelector('.follows').open")
-
-
-def test_a_restarted_server_finds_what_was_set_meanwhile(engine: DrivenWindow, tmp_path: Path) -> None:
-    port = free_port()
-    with serving(tmp_path / "first", port=port) as server:
-        opened(engine, f"{server.url}?scene=coupled&k2=3")
-    engine.wait_for_function("document.documentElement.dataset.connected === 'false'")
-    press(engine, "input[name=k2-slider]")
-    engine.keyboard.press("End")
-    engine.wait_for_function("document.querySelector('.control.waits')")
-    with serving(tmp_path / "second", port=port):
-        engine.wait_for_function(CONNECTED)
-        assert value(engine, "k2") > 3
-        engine.goto("about:blank")

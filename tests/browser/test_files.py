@@ -1,6 +1,9 @@
-"""Files that a visitor saves: numbers and pictures; the printed sheet; the numbers about these numbers."""
+"""Files that a visitor saves: numbers, pictures, the printed sheet. Files of visitors: an own walk, a measurement."""
 
+import csv
+import io
 import re
+import zipfile
 from collections.abc import Callable
 from pathlib import Path
 from urllib.parse import unquote
@@ -8,15 +11,21 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from playwright.sync_api import Download, Locator, Page, expect
+from playwright.sync_api import Download, FilePayload, Locator, Page, expect
 
 from components.scenes import SCENES
 from components.state.page_state import fitted
+from components.walks.checking import problems
+from components.walks.loading import load_walk
+from components.walks.questions.choice import ChoiceStep
+from components.walks.questions.point import PointStep
+from components.walks.questions.sketch import SketchStep
 from tests.browser import looks
-from tests.browser.waiting import QUIET, passed, seek, turned, unfold
+from tests.browser.fixtures import READY
+from tests.browser.waiting import MINE, clicked, drop, passed, seek, tap, turned, unfold
 from tests.grids import sample
 
-pytestmark = pytest.mark.browser
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
 Open = Callable[..., Page]
 SVG = "{http://www.w3.org/2000/svg}"
 DRAWN = {
@@ -25,7 +34,6 @@ DRAWN = {
 }
 WITHIN = re.compile(r' href="data:image/png;base64,[^"]*"')
 """A picture that contains its own drawing."""
-LATER = 700  # ms, much longer than the pause after which a request is sent
 OUTSIDE = """() => {
   const about = document.querySelector('.about'), panel = document.querySelector('.panel')
   const wide = [about, ...about.querySelectorAll('table, p')].filter(part => part.scrollWidth > about.clientWidth)
@@ -83,7 +91,7 @@ def put_away(page: Page) -> None:
 
 
 @pytest.mark.parametrize("slug", sample([*SCENES], 20))
-def test_what_every_scene_gives_away(slug: str, new_page: Callable[..., Page], open_scene: Open) -> None:
+def test_what_every_scene_gives_away(slug: str, new_page: Open, open_scene: Open) -> None:
     """The numbers about its numbers stay within the panel. Printed it is one sheet in ink. Every picture is light, says
     what it is of, and needs nothing from the page.
     """
@@ -125,7 +133,7 @@ def test_what_every_scene_gives_away(slug: str, new_page: Callable[..., Page], o
         assert page.get_by_role("dialog").locator("p").inner_text()
 
 
-def test_a_picture_has_the_curve_of_the_plot_on_any_screen(new_page: Callable[..., Page], open_scene: Open) -> None:
+def test_a_picture_has_the_curve_of_the_plot_on_any_screen(new_page: Open, open_scene: Open) -> None:
     scene = SCENES["coupled"](k2=3.0)
     page = open_scene(new_page(390, 844, has_touch=True, reduced_motion="reduce"), scene="coupled", k2=3)
     pictured(page, "Displacement of mass 1 against time")
@@ -141,9 +149,7 @@ def test_a_picture_has_the_curve_of_the_plot_on_any_screen(new_page: Callable[..
     assert "= 0.333" not in "".join(picture.itertext()) and "m₁ = 2.00 kg" in "".join(picture.itertext())
 
 
-def test_a_picture_has_the_units_that_on_the_page_stand_beside_another_and_what_is_held(
-    page: Page, open_scene: Open
-) -> None:
+def test_a_picture_has_the_units_of_its_axes_and_what_is_held(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="oscillator", held="default", m=4, view="formulas")
     page.wait_for_function("oscillations.page.compare.ghosts?.held")
     seek(page, 0.4)
@@ -176,21 +182,256 @@ def test_a_png_is_twice_the_size_and_a_press_on_a_plot_takes_that_plot(page: Pag
         assert any(row[0] == instant and height in row[1:] for row in rows), (height, instant)
 
 
-def test_the_numbers_are_asked_for_when_opened_and_after_a_change_and_never_while_folded(desk: Page) -> None:
+def test_the_numbers_about_these_numbers_follow_a_change(desk: Page) -> None:
     turned(desk, "coupled", {})
-    desk.evaluate("""() => {
-      const {wire} = oscillations.messages, {send} = wire
-      globalThis.abouts = 0
-      wire.send = message => { if (message.type === "about") abouts += 1; send(message) }
-    }""")
-    slider, table = desk.locator('input[name="k2-slider"]'), desk.locator(".about table").first
-    slider.press("ArrowRight")
-    since = desk.evaluate("performance.now()")
-    desk.wait_for_function(f"since => performance.now() > since + {LATER} && {QUIET}", arg=since)
-    assert desk.evaluate("abouts") == 0
     desk.locator(".about summary").click()
+    table = desk.locator(".about table").first
     expect(table).to_be_visible(timeout=30_000)
     before = table.text_content()
-    slider.press("ArrowRight")
+    desk.locator('input[name="k2-slider"]').press("ArrowRight")
     expect(table).not_to_have_text(before or "")
     expect(table).to_be_visible()
+
+
+COVERED = {"plot:x2", "value:omega_minus", "form:beat"}
+REFUSED = {
+    "big.toml": (b"#" * 48_001, "big.toml: the file has 48001 bytes; at most 48000 are allowed."),
+    "cover.toml": (
+        MINE.encode() + b'cover = ["plot:z"]',
+        "step 1 (pull), cover: “plot:z” is not possible: choose from",
+    ),
+}
+
+
+def chosen(page: Page, button: str, name: str, content: bytes) -> None:
+    """The file, chosen with a button."""
+    with page.expect_file_chooser() as chooser:
+        page.get_by_role("button", name=button).click()
+    chooser.value.set_files(FilePayload(name=name, mimeType="application/octet-stream", buffer=content))
+
+
+def test_a_file_is_run_or_refused_in_a_sentence(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="energy")
+    for name, (content, said) in REFUSED.items():
+        page.locator(".walks summary").click()
+        chosen(page, "Open my own walk", name, content)
+        expect(page.locator(".notice span")).to_contain_text(said, timeout=30_000)  # a worker may be starting
+    page.locator(".walks summary").click()
+    here = MINE.replace("d31-03", "d31-07")  # a step of the visible scene
+    chosen(page, "Open my own walk", "here.toml", here.encode())
+    page.wait_for_function(f"oscillations.walks.walk?.sheet.name === 'here' && {READY}")
+    expect(page.locator(".notice")).to_be_hidden()
+    drop(page, "My walk.toml", f"{MINE}#".ljust(48_000, "x"))  # the largest size
+    page.wait_for_function(f"oscillations.walks.walk?.sheet.name === 'my-walk' && {READY}")
+    expect(page.locator("h1")).to_have_text("How long does one swing take?")
+    assert "walk=my-walk&step=pull" in page.evaluate("location.search")
+    page.reload()  # a clicker's start key
+    page.wait_for_function(f"oscillations.walks.walk?.card && {READY}")
+    expect(page.locator(".notice")).to_be_hidden()
+    tap(page, 0)
+    clicked(page)
+    expect(page.locator("h1")).to_have_text("Twice as far takes just as long")
+    page.get_by_role("button", name="Answer again").click()
+    page.wait_for_function("oscillations.shown.state.covered.length && !oscillations.walks.walk.lesson")
+    page.reload()
+    page.wait_for_function(f"oscillations.walks.walk?.card && {READY}")
+    assert page.evaluate("oscillations.walks.walk.lesson === null && !oscillations.walks.walk.card.question.given()")
+
+
+def asked(page: Page, question: str, kind: str, **fields: str) -> None:
+    """A step about the visible picture."""
+    dialog = page.get_by_role("dialog", name="Write a question")
+    dialog.locator("[name=question]").fill(question)
+    dialog.locator("[name=kind]").select_option(kind)
+    for name, value in {**fields, "title": "A claim", "explain": 'What it "means".'}.items():
+        field = dialog.locator(f"[name={name}]")
+        if name in ("curve", "axis"):
+            field.select_option(value)
+        else:
+            field.fill(value)
+    dialog.get_by_role("button", name="Add this question").click()
+
+
+def ask_each_kind(page: Page) -> Locator:
+    """A step of each kind, and the dialog in which it was written."""
+    page.locator(".walks summary").click()
+    page.get_by_role("button", name="Write a question on this picture").click()
+    dialog = page.get_by_role("dialog", name="Write a question")
+    for part in ("Displacement of mass 2 against time", "Number: slow mode", "Text: No beat"):
+        dialog.get_by_label(part).check()
+    choice = {"text-1": "Both", "text-2": "Neither", "notes": "Show the real springs first."}
+    asked(page, "Which one swings?", "choice", **choice)
+    expect(dialog.locator(".problem")).to_contain_text("a wrong answer needs a reply", timeout=30_000)
+    dialog.get_by_label("The answers keep this order").check()
+    dialog.locator("[name=reply-2]").fill("It is right at rest.")
+    dialog.get_by_role("button", name="Add this question").click()
+    expect(dialog.locator("li")).to_have_count(1)
+    asked(page, "How long is {beat:null}?", "number", **{"is": "2500 ms", "unit": "s", "tol": "0,1"})
+    expect(dialog.locator("li")).to_have_count(2)
+    asked(page, "Sketch mass 1.", "sketch", curve="x1.x1", **{"is-0": "x1_O"})
+    expect(dialog.locator(".problem")).to_contain_text("has a name that the scene does not have, x1_O; it has")
+    asked(page, "Sketch mass 1.", "sketch", curve="x1.x1", **{"is-0": "x1_0"})
+    expect(dialog.locator("li")).to_have_count(3)
+    asked(page, "Mark where mass 2 begins.", "point", axis="x2.y", of="x2_0 - 0.5", tol="0.1")
+    expect(dialog.locator("li")).to_have_count(4)
+    return dialog
+
+
+def test_what_is_asked_is_a_walk_that_passes_its_checks(page: Page, open_scene: Open, tmp_path: Path) -> None:
+    shown = {"hidden": "x1_slow", "frame.window": 40, "held.k2": 20}
+    open_scene(page, scene="coupled", k2=3, cover="value:omega_plus", **shown)
+    dialog = ask_each_kind(page)
+    with page.expect_download() as download:
+        dialog.get_by_role("button", name="Save the walk as a file").click()
+    file = tmp_path / download.value.suggested_filename
+    download.value.save_as(file)
+    walk = load_walk(file, {})
+    assert not list(problems(walk, SCENES))
+    covers = [COVERED, set(), {"plot:x1"}, set()]
+    assert [{*step.cover} for step in walk.steps] == [{"value:omega_plus"} | more for more in covers]
+    assert walk.steps[0].state == "?scene=coupled&hidden=x1_slow&k2=3&view=motion&frame.window=40&held.k2=20"
+    assert isinstance(walk.steps[2], SketchStep)
+    assert isinstance(walk.steps[3], PointStep) and walk.steps[3].answer.unit == "m"
+    assert walk.steps[3].answer.quantities == ("x2_0 - 0.5",) and not walk.steps[3].answer.numbers
+    assert isinstance(walk.steps[0], ChoiceStep) and walk.steps[0].fixed
+    assert [step.notes for step in walk.steps] == ["Show the real springs first.", "", "", ""]
+
+
+def test_a_hall_does_not_see_a_question_written(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="coupled", k2=3, projector="")
+    page.locator(".walks summary").click()
+    with page.expect_popup() as window:
+        page.get_by_role("button", name="Write a question").click()
+    desk = window.value
+    expect(desk.get_by_role("dialog", name="Write a question")).to_be_visible()
+    assert "k2=3" in desk.url and "projector" not in desk.url and "#ask" not in desk.url
+    expect(page.get_by_role("dialog", name="Write a question")).to_have_count(0)
+    desk.close()
+
+
+POINTS = """() => document.querySelector(".plot-area path.measured-points").getAttribute("d")
+  .split("M").length - 1"""
+WINDOW = "oscillations.shown.settings.window.value"
+PASTE = """text => {
+  const clipboardData = new DataTransfer()
+  clipboardData.setData("text/plain", text)
+  document.dispatchEvent(new ClipboardEvent("paste", {clipboardData, bubbles: true}))
+}"""
+OMEGA, DECAY = 5.0, 0.1
+SHAKE = """() => {
+  DeviceMotionEvent.requestPermission = async () => "granted"
+  window.shaking = setInterval(() => {
+    const a = 2 * Math.cos(8 * performance.now() / 1000)
+    dispatchEvent(new DeviceMotionEvent("devicemotion", {acceleration: {x: 0.01, y: a, z: 0}, interval: 16}))
+  }, 16)
+}"""
+
+
+def record(seed: int = 1, head: str = "t (s);x (cm)\n") -> str:
+    """A record with decimal commas: 10 s, 30 rows a second, an offset of 3 cm."""
+    t = np.arange(301) / 30
+    x = 4 * np.exp(-DECAY * t) * np.cos(OMEGA * t) + 3 + np.random.default_rng(seed).normal(0, 0.02, t.size)
+    rows = (f"{time:.4f};{place:.4f}" for time, place in zip(t, x, strict=True))
+    return head + "\n".join(rows).replace(".", ",") + "\n;\n"
+
+
+@pytest.fixture
+def measured(desk: Page) -> Page:
+    """The view without a file."""
+    turned(desk, "damped", {"view": "measured"})
+    remove = desk.get_by_role("button", name="Remove")
+    if remove.is_visible():
+        remove.click()
+    expect(desk.locator(".measured-sentence")).to_be_empty()
+    return desk
+
+
+def shows_fit(page: Page) -> None:
+    """The numbers of the fit are shown; the first fit of a server may wait for its worker process."""
+    expect(page.locator(".measured-sentence")).not_to_be_empty(timeout=120_000)
+
+
+def removed(page: Page) -> None:
+    page.get_by_role("button", name="Remove").click()
+    expect(page.get_by_role("button", name="Choose a file")).to_be_focused()
+    assert page.evaluate(POINTS) == 0
+    expect(page.locator(".measured-sentence")).to_be_empty()
+
+
+def test_a_dropped_file_is_fitted_and_the_model_passes_through_it(page: Page, open_scene: Open) -> None:
+    """Nothing of it is fetched before its view is shown. An example goes along to other views and scenes."""
+    asked: list[str] = []
+    page.on("request", lambda request: asked.append(request.url))
+    open_scene(page, scene="damped", view="motion")
+    page.get_by_role("tab", name="Measured").click()
+    expect(page.get_by_role("button", name="Choose a file")).to_be_visible()
+    before = [url for url in asked if "measured/" in url or "papaparse" in url]
+    assert before and not any("papaparse" in url for url in before)
+    drop(page, "cart.csv", record())
+    shows_fit(page)
+    assert any("papaparse" in url for url in asked)
+    expect(page.locator(".measured-name")).to_have_text("cart.csv: 301 points")
+    natural = page.get_by_role("row", name=re.compile("natural frequency"))
+    expect(natural).to_have_text(re.compile(r"^ωn5\.00\d+± 0\.00\d+rad/s$"))
+    expect(page.locator(".measured-sentence")).to_have_text(re.compile("^The residuals of the fit are random"))
+    assert 100 < page.evaluate(POINTS) <= 301
+    page.get_by_role("button", name="Fit to data").click()
+    page.wait_for_function(f"{WINDOW} === 10")
+    assert page.evaluate("oscillations.shown.settings.k.value") == pytest.approx(OMEGA**2 + DECAY**2, rel=1e-2)
+    with page.expect_download() as download:
+        page.get_by_role("button", name="Save residuals").click()
+    rows = list(csv.reader(download.value.path().read_text(encoding="utf-8").splitlines()))
+    residuals = [float(row[3]) for row in rows[1:]]
+    assert len(residuals) == 301 and len(rows[0]) == len(rows[1]) and np.std(residuals) == pytest.approx(2e-4, rel=0.2)
+    assert "cart" not in page.url and "window=10" in page.url
+    removed(page)
+    page.get_by_role("button", name="Simulated: air drag").click()
+    shows_fit(page)
+    expect(page.locator(".measured-sentence")).to_have_text(re.compile("^The residuals of the fit are not random"))
+
+
+def test_every_kind_of_file_is_read_or_refused_in_a_sentence(measured: Page) -> None:
+    """Text without units, which are asked for; a zip file with its longest table first."""
+    status, name = measured.locator(".measured-status"), measured.locator(".measured-name")
+    chosen(measured, "Choose a file", "letter.txt", b"Dear student,\nno table.\n")
+    expect(status).to_contain_text("letter.txt: Line 1: “Dear student,” has no two numbers")
+    measured.evaluate(PASTE, record(head=""))
+    expect(status).to_have_text("Choose the unit of “Time”.")
+    measured.get_by_label("Time: unit").focus()
+    measured.get_by_label("Time: unit").select_option("s")
+    expect(status).to_have_text("Choose the unit of “Motion”.")
+    expect(measured.get_by_label("Time: unit")).to_be_focused()
+    measured.get_by_label("Motion: unit").select_option("cm")
+    shows_fit(measured)
+    expect(measured.get_by_role("row", name=re.compile("amplitude"))).to_contain_text("0.0400")
+    removed(measured)
+    files = io.BytesIO()
+    with zipfile.ZipFile(files, "w") as out:
+        for table, rows in (("Short", 199), ("Raw", 301)):
+            out.writestr(f"{table}.csv", "\n".join(record().splitlines()[: rows + 1]))
+    chosen(measured, "Choose a file", "phyphox.zip", files.getvalue())
+    shows_fit(measured)
+    expect(name).to_have_text("phyphox.zip: 301 points")
+    measured.get_by_label("Table", exact=True).select_option("Short.csv")
+    expect(name).to_have_text("phyphox.zip: 199 points")
+    shows_fit(measured)
+
+
+@pytest.mark.slow  # it records for half a minute
+def test_a_phone_records_its_own_acceleration(new_page: Open, open_scene: Open, measured: Page) -> None:
+    expect(measured.get_by_role("button", name="Record with this phone")).to_have_count(0)
+    phone = new_page(width=390, height=844, has_touch=True, is_mobile=True)
+    open_scene(phone, scene="damped", view="measured")
+    phone.evaluate("DeviceMotionEvent.requestPermission = async () => 'denied'")
+    phone.get_by_role("button", name="Record with this phone").tap()
+    expect(phone.locator(".measured-status")).to_contain_text("Allow motion sensors")
+    phone.evaluate(SHAKE)
+    phone.get_by_role("button", name="Record with this phone").tap()
+    stop = phone.get_by_role("button", name="Stop: 24 s left")
+    expect(stop).to_be_visible(timeout=60_000)
+    expect(phone.locator(".measured-status")).to_have_text("It records: do not touch the phone.")
+    stop.tap()
+    shows_fit(phone)
+    expect(phone.locator(".measured-name")).to_contain_text("Recorded by this phone: ")
+    expect(phone.get_by_label("Motion: column")).to_have_value("1")
+    expect(phone.get_by_role("row", name=re.compile("natural frequency"))).to_contain_text(re.compile(r"8\.0|7\.9"))

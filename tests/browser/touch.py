@@ -51,10 +51,6 @@ def stroke(hand: Any, points: Iterable[Point], **up: str) -> None:
     hand.up(**up)
 
 
-def top(part: Locator) -> float:
-    return float(part.evaluate("part => part.getBoundingClientRect().top"))
-
-
 def stopped(page: Page, t: float = 0.3) -> None:
     seek(page, t)
     passed(page)
