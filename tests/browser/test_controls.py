@@ -393,34 +393,34 @@ def described(page: Page, name: str) -> str:
     return str(page.evaluate("name => document.getElementById(`says-${name}`).textContent", name))
 
 
-def test_a_plot_is_described_by_its_motion_and_a_change_announced_in_one_sentence(page: Page, open_scene: Open) -> None:
+def test_a_plot_is_described_by_its_motion_and_a_change_announced_in_one_sentence(desk: Page) -> None:
     """A turning point is where the motion turns, not at the nearest drawn point. The figure has the description as its
     own.
     """
-    open_scene(page, scene="oscillator")
+    turned(desk, "oscillator", {})
     scene = SCENES["oscillator"]()
     omega_n = math.sqrt(scene.k / scene.m)
     lowest = (math.pi + math.atan2(scene.v_0 / omega_n, scene.x_0)) / omega_n
     depth = math.hypot(scene.x_0, scene.v_0 / omega_n)
-    assert f"lowest −{depth:.3g} m at {lowest:.3g} s, highest" in described(page, "x")
+    expect(desk.locator("#says-x")).to_contain_text(f"lowest −{depth:.3g} m at {lowest:.3g} s, highest")
     told = re.compile(r"^Displacement against time\. Horizontal axis 0 s to 2 s")
-    figure = page.get_by_role("img", name="Displacement against time")
+    figure = desk.get_by_role("img", name="Displacement against time")
     expect(figure).to_have_accessible_description(told)
-    turned(page, "coupled", {})
-    described(page, "x1")
-    heard = page.locator(".page > [role=status]")
+    turned(desk, "coupled", {})
+    described(desk, "x1")
+    heard = desk.locator(".page > [role=status]")
     expect(heard).to_have_text("")
     before, now = SCENES["coupled"]().shown.values, SCENES["coupled"](k2=3.0).shown.values
-    page.evaluate("oscillations.send({type: 'set', values: {k2: 3}})")
+    desk.evaluate("oscillations.send({type: 'set', values: {k2: 3}})")
     parts = ("Slow mode omega_minus rad/s", "fast mode omega_plus rad/s", "energy E_total J")
     names = [part.rsplit(maxsplit=2) for part in parts]
     said = [f"{name} {now[key]} {unit}, was {before[key]} {unit}" for name, key, unit in names]
     expect(heard).to_have_text("; ".join(said) + ".")
-    page.evaluate("oscillations.send({type: 'set', values: {v1_0: 1}})")
+    desk.evaluate("oscillations.send({type: 'set', values: {v1_0: 1}})")
     expect(heard).to_have_text(re.compile(r"^Energy [\d.]+ J, was [\d.]+ J; unchanged: slow mode, fast mode\.$"))
     state = "{...oscillations.shown.state, covered: ['value:omega_minus', 'plot:x2']}"
-    page.evaluate(f"oscillations.send({{type: 'open', state: {state}}})")
-    page.evaluate("oscillations.send({type: 'set', values: {k1: 9}})")
+    desk.evaluate(f"oscillations.send({{type: 'open', state: {state}}})")
+    desk.evaluate("oscillations.send({type: 'set', values: {k1: 9}})")
     expect(heard).to_have_text(re.compile("^Fast mode .*"))
     assert "slow" not in (heard.text_content() or "").lower(), "a hidden number is announced"
-    assert described(page, "x2").endswith("Covered until you press Reveal.")
+    assert described(desk, "x2").endswith("Covered until you press Reveal.")

@@ -46,10 +46,6 @@ OUTSIDE = """() => {
 """Parts of "About these numbers" that leave the panel."""
 
 
-def content(download: Download) -> bytes:
-    return Path(download.path()).read_bytes()
-
-
 def saved(page: Page, kind: str) -> Download:
     with page.expect_download() as waiting:
         page.get_by_role("dialog").get_by_role("button", name=kind).click()
@@ -139,7 +135,7 @@ def test_a_picture_has_the_curve_of_the_plot_on_any_screen(new_page: Open, open_
     pictured(page, "Displacement of mass 1 against time")
     download = saved(page, "SVG")
     assert download.suggested_filename == "coupled-x1.svg"
-    picture = ElementTree.fromstring(content(download))
+    picture = ElementTree.parse(download.path()).getroot()
     paths = [part.get("d", "") for part in picture.iter(f"{SVG}path") if part.get("stroke-width") == "3px"]
     (points,) = [np.array([[float(n) for n in place.split()] for place in d[1:].split("L")]) for d in paths]
     time = scene.sources["time"].data
@@ -171,7 +167,7 @@ def test_a_png_is_twice_the_size_and_a_press_on_a_plot_takes_that_plot(page: Pag
     plot.get_by_role("button", name="Save the picture, or read its table").click()
     width = page.get_by_role("dialog").locator("img").evaluate("image => image.naturalWidth")
     download = saved(page, "PNG")
-    head = content(download)[:24]
+    head = download.path().read_bytes()[:24]
     assert head[1:4] == b"PNG" and int.from_bytes(head[16:20]) == 2 * width
     assert download.suggested_filename == "forced-x1.png"
     rows = [text.split("\t") for text in page.get_by_role("dialog").locator("table").inner_text().splitlines()]

@@ -2,7 +2,7 @@
 Nothing scrolls, is cut off or is too small, and each headline and each explanation is seen.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 import pytest
 from playwright.sync_api import Page, expect
@@ -57,16 +57,6 @@ FREE = """[...document.querySelectorAll(".paper :is(.choice, [data-grab])")].fil
 }).map(part => `sets values outside the step: ${part.outerHTML}`)"""
 
 
-def explained(page: Page, step: Step) -> Iterator[str]:
-    """Faults of headline, explanation, and with `derive` of the formulas; the next press continues."""
-    passed(page)
-    yield from page.evaluate(HIDDEN, ["h1", ".card .why"])
-    if step.derive:
-        clicked(page)
-        passed(page)
-        yield from page.evaluate(HIDDEN, [".card .follows .lines"])
-
-
 def unfolded(page: Page, step: Step) -> Iterator[str]:
     """Faults of a step whose formulas or controls are unfolded."""
     if step.follows:
@@ -94,8 +84,14 @@ def test_a_clicker_leads_through_a_walk(name: str, server: Server, page: Page) -
         page.keyboard.press("p")
         shown += page.evaluate(NAMED) + page.evaluate(FREE)
         page.keyboard.press("p")
-        found += [f"{step.id}, answer: {fault}" for fault in (*shown, *explained(page, step))]
+        passed(page)
+        shown += page.evaluate(HIDDEN, ["h1", ".card .why"])
         clicked(page)
+        if step.derive:
+            passed(page)
+            shown += page.evaluate(HIDDEN, [".card .follows .lines"])
+            clicked(page)
+        found += [f"{step.id}, answer: {fault}" for fault in shown]
     expect(page.locator("dialog:is(.contents, .finish)")).to_be_visible()
     for key, is_over in (("PageDown", True), ("PageUp", False)) if name == "tour" else ():
         clicked(page, key)
@@ -155,28 +151,28 @@ def test_the_questions_stand_in_a_window_of_their_own_that_leads_the_hall(server
     expect(steps).to_be_visible()
 
 
-def test_the_hall_is_a_key_and_part_of_the_link(page: Page, open_scene: Callable[..., Page]) -> None:
-    open_scene(page, scene="forced", omega=0.5)
-    page.keyboard.press("p")
-    assert "&projector" in page.evaluate("location.search")
-    expect(page.locator(".in-force")).to_contain_text("1.00 kg")
-    panel = page.locator(".panel > .tools")
+def test_the_hall_is_a_key_and_part_of_the_link(desk: Page) -> None:
+    turned(desk, "forced", {"omega": 0.5})
+    desk.keyboard.press("p")
+    assert "&projector" in desk.evaluate("location.search")
+    expect(desk.locator(".in-force")).to_contain_text("1.00 kg")
+    panel = desk.locator(".panel > .tools")
     expect(panel).to_be_hidden()
-    page.get_by_role("button", name="Controls, key C").click()
+    desk.get_by_role("button", name="Controls, key C").click()
     expect(panel).to_be_visible()
-    page.keyboard.press("c")
+    desk.keyboard.press("c")
     expect(panel).to_be_hidden()
-    seek(page, 0.0)  # a moving mass is elsewhere when the mouse arrives
-    grip = page.locator(".grip").first
+    seek(desk, 0.0)  # a moving mass is elsewhere when the mouse arrives
+    grip = desk.locator(".grip").first
     grip.click(trial=True)  # nor does it move any more with the width that the panel has left
-    before, (x, y) = value(page, "x1_0"), middle(grip)
-    page.mouse.move(x, y)
-    page.mouse.down()
-    page.mouse.move(x + 60, y, steps=4)
-    expect(page.locator(".pointer")).to_be_visible()
-    page.mouse.up()
-    expect(page.locator(".pointer")).to_be_hidden()  # it rests
-    page.wait_for_function("before => oscillations.shown.settings.x1_0.value > before", arg=before)
-    page.keyboard.press("p")
-    assert "projector" not in page.evaluate("location.search")
+    before, (x, y) = value(desk, "x1_0"), middle(grip)
+    desk.mouse.move(x, y)
+    desk.mouse.down()
+    desk.mouse.move(x + 60, y, steps=4)
+    expect(desk.locator(".pointer")).to_be_visible()
+    desk.mouse.up()
+    expect(desk.locator(".pointer")).to_be_hidden()  # it rests
+    desk.wait_for_function("before => oscillations.shown.settings.x1_0.value > before", arg=before)
+    desk.keyboard.press("p")
+    assert "projector" not in desk.evaluate("location.search")
     expect(panel).to_be_visible()
