@@ -38,8 +38,8 @@ async def served(store: Store | None = None, **settings: Any) -> AsyncIterator[t
     """Yield a server with a live class. At the end, close all streams that the test has opened."""
     secrets = [settings.get(name, "") for name in ("class_passphrase", "bokeh_secret_key")]
     live_class = LiveClass(store or MemoryStore(), BANK, *secrets)
-    page = partial(servers.LECTURE.open_page, lead=live_class.lead)
-    async with servers.served(page, extensions=[live_class], **settings) as server, streams_closed():
+    page, start = partial(servers.LECTURE.open_page, lead=live_class.lead), servers.LECTURE.start
+    async with servers.served(page, extensions=[live_class], start=start, **settings) as server, streams_closed():
         server.classes = live_class.context
         yield server, servers.url(server)
 

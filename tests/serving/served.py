@@ -12,6 +12,7 @@ from bokeh.server.session import ServerSession
 from app import SHEETS, walked
 from components.serving.server import Extension, Server
 from components.serving.settings import Settings
+from components.serving.start import StartPage
 from components.session.worker import Replied, WorkerJob
 from tests.live_class.caller import Answered
 from tests.serving.visitor import ask
@@ -26,11 +27,12 @@ async def served(
     *,
     figures: Mapping[str, tuple[str, Callable[[], float]]] | None = None,
     extensions: Sequence[Extension] = (),
+    start: StartPage | None = None,
     **settings: Any,
 ) -> AsyncIterator[Server]:
     """Yield a server with these settings that can open any number of pages, and end it."""
     made = Settings(**{"address": "127.0.0.1", "port": 0, "arrivals": MUCH, **settings})
-    server = Server(page, made, figures, {**SHEETS, **LECTURE.files}, extensions, LECTURE.start)
+    server = Server(page, made, figures, {**SHEETS, **LECTURE.files}, extensions, start)
     try:
         yield server
     finally:
