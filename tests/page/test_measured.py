@@ -11,11 +11,9 @@ from components.quantities.formatting import parse_number
 from components.scenes import SCENES
 from tests.page.headless_page import Page
 from tests.serving.server import ROOT
-from tools.measured_examples import EXAMPLES
 
 T = np.arange(300) * 0.04
 OMEGA, DECAY, C = 6.3, 0.12, 0.05
-FOLDER = ROOT / "static" / "measured"
 
 
 def motion(seed: int, noise: float = 1e-4) -> Any:
@@ -30,7 +28,7 @@ def piece(number: int, of: int, t: ArrayLike, *columns: ArrayLike, **more: Any) 
 
 def example(name: str) -> Any:
     """The columns of an example file: times in s, displacements in m."""
-    t, *columns = np.loadtxt((FOLDER / name).read_text(encoding="utf-8").splitlines()[1:], delimiter=",", unpack=True)
+    t, *columns = np.loadtxt(ROOT / "static" / "measured" / name, delimiter=",", skiprows=1, unpack=True)
     return t, *(1e-3 * column for column in columns)
 
 
@@ -56,8 +54,8 @@ def test_pieces_in_order_are_fitted(page: Page) -> None:
     told = page.send(piece(1, 2, T[200:], x[200:]))
     assert told["answer"] == 2 and told["refused"] == ""
     natural = math.hypot(OMEGA, DECAY)
-    check_numbers(told, {"natural frequency": natural, "damping ratio": DECAY / natural})
-    check_numbers(told, {"amplitude at the start": C, "offset": 0.01})
+    numbers = {"natural frequency": natural, "damping ratio": DECAY / natural, "amplitude at the start": C}
+    check_numbers(told, {**numbers, "offset": 0.01})
     assert told["motion"]["columns"][0]["C"] == pytest.approx([C], abs=1e-4)
     assert told["parameters"]["per_mass"]["k"] == pytest.approx(natural**2, rel=1e-3)
     assert told["parameters"]["values"]["v_0"] == pytest.approx(-DECAY * C, abs=2e-3)
@@ -71,8 +69,8 @@ def test_a_derivative_gives_the_displacement(page: Page, derivative: int, unit: 
     rows = np.real(C * exponent**derivative * np.exp(exponent * T)) + 9.81
     told = page.send(piece(0, 1, T, rows + np.random.default_rng(5).normal(0, 1e-3, T.size), derivative=derivative))
     check_numbers(told, {"amplitude at the start": C, "offset": 9.81})
-    units = {one["name"]: one["unit"] for one in told["numbers"]}
-    assert (units["amplitude at the start"], units["offset"], units["natural frequency"]) == ("m", unit, "rad/s")
+    units = {"amplitude at the start": "m", "offset": unit, "natural frequency": "rad/s"}
+    assert units.items() <= {one["name"]: one["unit"] for one in told["numbers"]}.items()
     (column,) = told["motion"]["columns"]
     assert column["C"] == pytest.approx([C], rel=1e-2) and abs(column["S"][0]) < 0.02 * C
 
@@ -87,10 +85,8 @@ REFUSED: list[tuple[dict[str, Any], str]] = [
     (piece(0, 1, T[:8], motion(4, 0.01)[:8]), "a longer or a quieter record is needed"),
     (piece(0, 1, np.arange(1251), np.zeros(1251)), NO_MESSAGE),
     *((piece(*number, T, T), NO_MESSAGE) for number in ((16, 16), (0, 17))),
-    *((piece(0, 1, T, T, **more), NO_MESSAGE) for more in ({"size": 11}, {"derivative": 3}, {"name": "my file"})),
-    *((piece(0, 1, T, 1e300 * T), NO_MESSAGE), (piece(0, 1, [0.0, 1.0], [math.nan, 1.0]), NO_MESSAGE)),
-    *((piece(0, 1, T), NO_MESSAGE), (piece(0, 1, T, T, T, T), NO_MESSAGE)),
-    ({**piece(0, 1, T, T), "columns": [["1"]]}, NO_MESSAGE),
+    *((piece(0, 1, T, T, **more), NO_MESSAGE) for more in ({"size": 11}, {"derivative": 3}, {"columns": [["1"]]})),
+    *((piece(0, 1, T, *columns), NO_MESSAGE) for columns in ([1e300 * T], [[1.0, math.nan]], [], [T, T, T, T])),
 ]
 
 
@@ -109,10 +105,9 @@ def test_two_columns_give_two_frequencies_and_the_ratios_of_a_chain(page: Page) 
     left, right = (cart + np.random.default_rng(1).normal(0, 1e-4, t.size) for cart in carts)
     told = page.send(piece(0, 1, t, left, right))
     check_numbers(told, {"k1/m1": 20, "k2/m1": 10, "m2/m1": 0.5, "X2/X1, slow mode": 2, "X2/X1, fast mode": -1})
-    modes = {f"natural frequency, {mode} mode": math.sqrt(square) for mode, square in (("slow", 10), ("fast", 40))}
-    check_numbers(told, modes)
+    check_numbers(told, {f"natural frequency, {mode} mode": omega**0.5 for mode, omega in (("slow", 10), ("fast", 40))})
     parameters = told["parameters"]
-    assert parameters["mass"] == "m1" and parameters["values"]["given_by"] == "values"
+    assert (parameters["mass"], parameters["values"]["given_by"]) == ("m1", "values")
     assert parameters["per_mass"]["m2"] == pytest.approx(0.5, rel=0.02)
     assert [parameters["values"][name] for name in ("x1_0", "x2_0")] == pytest.approx([0.08, 0.0], abs=1e-3)
     assert all(any(words in one for one in told["sentences"]) for words in ("only ratios", "no dashpots"))
@@ -132,8 +127,3 @@ def test_two_columns_give_two_frequencies_and_the_ratios_of_a_chain(page: Page) 
 )
 def test_what_the_residuals_say(page: Page, rows: Any, sentence: str) -> None:
     assert sentence in " ".join(page.send(piece(0, 1, *rows))["sentences"])
-
-
-def test_example_files_are_those_of_the_tool() -> None:
-    files = {path.name: path.read_text(encoding="utf-8") for path in FOLDER.glob("*.csv")}
-    assert files == EXAMPLES
