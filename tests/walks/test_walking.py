@@ -1,6 +1,5 @@
 """A session in a walk: the states it opens, the data it hides, its replies to answers, and the features of sketches."""
 
-import math
 from typing import Any
 
 import msgspec
@@ -10,7 +9,7 @@ import pytest
 from app import visited
 from components.language.messages import Given
 from components.live_class.question_bank import QuestionBank
-from components.quantities.axes import Axis, nice_axis
+from components.quantities.axes import Axis
 from components.scenes import SCENES
 from components.state.covers import PLOT, VALUE
 from components.state.scene_sheet import plots
@@ -20,6 +19,7 @@ from components.walks.loading import load_walks, steps_of
 from components.walks.questions.sketch import SketchStep
 from components.walks.sketch import Ranges, Sketch, sketch, turns
 from components.walks.subject import PlotAxes
+from components.walks.texts import pieces
 from tests.page.headless_page import Page, say
 from tests.walks.answers import heights
 
@@ -67,6 +67,7 @@ def test_every_step_opens_covered_and_opens_up(page: Page, name: str) -> None:
     lesson = given(page, name, walk=walk)["lesson"]
     assert lesson["right"] is None and lesson["title"] and lesson["explain"]
     assert len(lesson["follows"]) == len(step.equations)
+    assert ["".join(pieces(latex)) for latex in step.equations] == list(step.equations), "where a line may end"
 
 
 ANSWERED: list[tuple[str, dict[str, Any], bool | None, str]] = [
@@ -121,12 +122,6 @@ def test_a_sketch_gets_a_reply_on_its_features(page: Page, step: SketchStep) -> 
     assert given(page, step.id)["lesson"]["right"] is None
 
 
-def test_a_rounding_error_beside_the_axis_is_written_as_zero() -> None:
-    axes = PlotAxes(nice_axis(0.0, 2.0, "s"), nice_axis(-1.0, 1.0, "m"))
-    names = [Zero(at=at, tol=0.1).called(axes) for at in (1e-12, 0.5)]
-    assert names == ["The zero at 0 s", "The zero at 0.5 s"]
-
-
 def test_a_wrong_answer_says_where_it_would_be_right(page: Page) -> None:
     """The covers that remain apply only in the scene of the question."""
     verdicts = given(page, "d34-12", option=1)["lesson"]["verdicts"]
@@ -174,22 +169,19 @@ def test_a_session_keeps_five_walks_of_its_own_and_none_that_has_the_name_of_the
 @pytest.mark.parametrize(
     ("step", "answer", "judged"),
     [
-        ("d31-03", {"option": 0}, {"number": 0.0, "right": True, "has": []}),
-        ("d31-02", {"text": "2 s"}, {"number": 2.0, "right": True, "has": []}),
-        ("d34-14", {"curves": {"Xp1": [500] * 101}}, {"number": 0.0, "right": False, "has": [False] * 5}),
+        ("d31-03", {"option": 0}, (0.0, True, ())),
+        ("d31-02", {"text": "2 s"}, (2.0, True, ())),
+        ("d34-14", {"curves": {"Xp1": [500] * 101}}, (0.0, False, (False,) * 5)),
     ],
 )
-def test_an_answer_of_a_page_and_a_store_from_before_is_one(
-    step: str, answer: dict[str, object], judged: dict[str, object]
-) -> None:
+def test_an_answer_of_a_page_and_a_store_from_before_is_one(step: str, answer: dict[str, Any], judged: Any) -> None:
     """Phones send all fields, even those that do not belong to the question, and stores have kept them."""
     every = {"vote": 2, "option": None, "text": "", "value": None, "curves": {}, **answer}
-    whole = {"walk": step[:3], "step": step, **every}
-    bank = QuestionBank(WALKS, SCENES)
-    found = bank.judge(msgspec.json.decode(msgspec.json.encode(whole), type=Given))
-    assert found.right == judged["right"]
-    kept = bank.read(msgspec.json.encode({**whole, **judged, "form": "another"}))
-    assert kept == found
+    whole, bank = {"walk": step[:3], "step": step, **every}, QuestionBank(WALKS, SCENES)
+    found = bank.judge(msgspec.convert(whole, Given))
+    assert found.right == judged[1]
+    kept = {**whole, **dict(zip(("number", "right", "has"), judged, strict=True)), "form": "another"}
+    assert bank.read(msgspec.json.encode(kept)) == found
 
 
 FRAME = Ranges((0.0, 2.0), (-0.2, 0.2))
@@ -211,31 +203,35 @@ PEAK = feature(f="peak", at=0.75, tol=0.06, **{"is": 0.16}, tol_y=0.03)
 ZERO = feature(f="zero", at=0.5, tol=0.06)
 DOWN = feature(f="slope", at=0.0, **{"is": "down"})
 PERIOD = feature(f="period", **{"is": 1.0}, tol=0.1)
-
-
+REACH = feature(f="reach", **{"from": 0.5, "to": 1.9, "is": 0.16}, tol=0.02)
+LEAST = feature(f="least", **{"is": -0.16}, tol=0.02)
 ANGULAR = -0.15 * np.interp((T - 0.02) % 1, [0, 0.25, 0.75, 1], [0, 1, -1, 0])
 ANGULAR += np.random.default_rng(1).uniform(-0.004, 0.004, len(T))
 """Sketches by a hand that shakes a little, draws corners, and is slightly late and low."""
-FIRST, NONE = T <= 0.6, [False] * 5
+FIRST, HALF = T <= 0.6, T < 1.0
+YES, NO = True, False
 
 
 @pytest.mark.parametrize(
     ("y", "x", "expected"),
     [
-        (SWING, T, [True] * 5),
-        (SWING[::-1], T[::-1], [True] * 5),
-        (ANGULAR, T, [True] * 5),
-        (SWING[FIRST], T[FIRST], [True, False, True, True, False]),  # the rest is not made up
-        (-SWING, T, [False, False, True, False, True]),  # upside down
-        (np.abs(SWING), T, [False, True, False, False, False]),  # never below zero
-        (0 * T, T, NONE),
-        (0.19 * np.sin(2 * np.pi * 14 * T), T, [False, False, True, False, False]),  # a scribble
-        ([], [], NONE),
-        ([1.0], [np.nan], NONE),
+        (SWING, T, [YES] * 7),
+        (SWING[::-1], T[::-1], [YES] * 7),
+        (ANGULAR, T, [YES] * 7),
+        (SWING[FIRST], T[FIRST], [YES, NO, YES, YES, NO, NO, NO]),  # the rest is not made up
+        (SWING[HALF], T[HALF], [YES, YES, YES, YES, NO, NO, NO]),
+        (SWING / 2, T, [NO, NO, YES, YES, YES, NO, NO]),
+        (-SWING, T, [NO, NO, YES, NO, YES, YES, YES]),  # upside down
+        (np.abs(SWING), T, [NO, YES, NO, NO, NO, YES, NO]),  # never below zero
+        (0 * T, T, [NO] * 7),
+        (0.19 * np.sin(2 * np.pi * 14 * T), T, [NO, NO, YES, NO, NO, NO, NO]),  # a scribble
+        ([], [], [NO] * 7),
+        ([1.0], [np.nan], [NO] * 7),
     ],
 )
 def test_a_sketch_has_its_features_in_any_style(y: Any, x: Any, expected: list[bool]) -> None:
-    assert [one.seen(drawn(y, x)).has for one in (TROUGH, PEAK, ZERO, DOWN, PERIOD)] == expected
+    features = (TROUGH, PEAK, ZERO, DOWN, PERIOD, REACH, LEAST)
+    assert [one.seen(drawn(y, x)).has for one in features] == expected
 
 
 def test_a_feature_is_found_at_its_place_and_no_gap_or_edge_is_one() -> None:
@@ -252,17 +248,10 @@ def test_a_feature_is_found_at_its_place_and_no_gap_or_edge_is_one() -> None:
     assert turns(t, np.zeros(20)) == turns(t, t) == turns(t, np.exp(-t)) == []
 
 
-def test_reach_least_and_sum_are_of_most_of_a_curve() -> None:
-    part = T < 1.0
-    reach = feature(f="reach", **{"from": 0.5, "to": 1.9, "is": 0.16}, tol=0.02)
-    least = feature(f="least", **{"is": -0.16}, tol=0.01)
-    for one in (reach, least):
-        found = [one.seen(drawn(y, x)).has for y, x in ((SWING, T), (SWING / 2, T), (SWING[part], T[part]))]
-        assert found == [True, False, False]
+def test_a_sum_is_that_of_both_curves() -> None:
     both = feature(f="sum", **{"with": "V", "is": 0.0}, tol=0.02)
-    for other, expected in ((-SWING, True), (SWING, False)):
-        assert both.seen(Sketch(T, SWING, FRAME, drawn(other))).has is expected
-    assert not both.seen(drawn(SWING)).has
+    found = [both.seen(Sketch(T, SWING, FRAME, other)).has for other in (drawn(-SWING), drawn(SWING), None)]
+    assert found == [True, False, False]
 
 
 @pytest.mark.parametrize("away", [0.35, 9.0])
@@ -288,16 +277,8 @@ def test_a_feature_is_given_by_expressions_of_the_scenes_numbers() -> None:
     period = feature(f="period", **{"is": "tau"}, tol=1.0).worked_out(numbers, AXES)
     assert period.measured(Seen(True, 1000.0), AXES, 3).startswith("1000")
     assert TROUGH.worked_out(numbers, AXES) is TROUGH
+    names = [Zero(at=at, tol=0.1).called(AXES) for at in (1e-12, 0.5)]
+    assert names == ["The zero at 0 ms", "The zero at 0.5 ms"], "no rounding errors"
     for text, says in (("tua", "does not have, tua"), ("tau +", "is not an expression"), ("-tau", "> 0")):
         with pytest.raises(ValueError, match=says):
             feature(f="zero", at=0.5, tol=text).worked_out(numbers, AXES)
-
-
-@pytest.mark.parametrize("phase", [0.3, 1.0, 2.0, math.pi - 0.1])
-def test_a_curve_turns_where_its_motion_does(phase: float) -> None:
-    t = np.arange(150) * 2 * math.pi / 32
-    places = math.pi * np.arange(1, 12) - math.atan(0.05) - phase
-    inside = places[(t[2] < places) & (places < t[-3])]
-    found = [(x, y) for x, y in turns(t, np.exp(-0.05 * t) * np.cos(t + phase)) if t[2] < x < t[-3]]
-    assert [x for x, _ in found] == pytest.approx(inside, abs=1e-6)
-    assert [y for _, y in found] == pytest.approx(np.exp(-0.05 * inside) * np.cos(inside + phase), abs=1e-7)
