@@ -43,7 +43,7 @@ from physics.modes import trial_forces
 from physics.oscillator import Oscillator
 from physics.pendulum import amplitude_at_excess, excess
 from physics.phugoid import flight
-from tests.walks.answers import heights
+from tests.walks.test_walking import heights
 
 WALKS = load_walks(())
 STEPS = steps_of(WALKS.values())

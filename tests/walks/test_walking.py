@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from app import visited
-from components.language.messages import Given
+from components.language.messages import HEIGHTS, Given, Sketched
 from components.live_class.question_bank import QuestionBank
 from components.quantities.axes import Axis
 from components.scenes import SCENES
@@ -18,10 +18,9 @@ from components.walks.features import Feature, Seen, Zero
 from components.walks.loading import load_walks, steps_of
 from components.walks.questions.sketch import SketchStep
 from components.walks.sketch import Ranges, Sketch, sketch, turns
-from components.walks.subject import PlotAxes
+from components.walks.subject import PlotAxes, Subject, place_of
 from components.walks.texts import pieces
 from tests.page.headless_page import Page, say
-from tests.walks.answers import heights
 
 WALKS = load_walks(())
 STEPS = steps_of(WALKS.values())
@@ -109,6 +108,21 @@ def test_an_answer_is_judged_and_gets_its_own_reply(
         assert len(lesson["places"]) == 2
         told = opened(page, lesson["shows"])
         assert told["state"]["step"] == "d34/d34-08" and page.now.state.parameters["x2_0"] == answer["value"]
+
+
+def heights(step: SketchStep, curves: dict[str, tuple[Any, Any]] | None = None) -> dict[str, Sketched]:
+    """Curves, each as its x and y, as they are sent; the true ones where none are given."""
+    subject = Subject("", step, SCENES)
+    pad = subject.pad(step.plot)
+    (left, right), (low, high) = ((axis.place(axis.start), axis.place(axis.end)) for axis in (pad.x, pad.y))
+    true = {name: (curve.x, curve.y) for name, curve in subject.true(step.plot, step.curves).items()}
+    found: dict[str, Sketched] = {}
+    for name, (numbers, values) in (curves or true).items():
+        x = [place_of(pad.x, float(number)) for number in numbers]
+        y = [1000 * (place_of(pad.y, float(value)) - low) / (high - low) for value in values]
+        drawn = np.interp(np.linspace(left, right, HEIGHTS), x, np.clip(y, -100, 1100), left=np.nan, right=np.nan)
+        found[name] = [None if np.isnan(height) else round(height) for height in drawn.tolist()]
+    return found
 
 
 @pytest.mark.parametrize("step", [s for s in STEPS.values() if isinstance(s, SketchStep)], ids=lambda step: step.id)
