@@ -1,20 +1,26 @@
-"""Checks that the picture of each scene must pass for any parameters."""
+"""Checks that the picture of each scene must pass for any parameters, and its visible sentences as they are read."""
 
 import math
 import re
 from collections.abc import Callable, Iterable, Iterator
 from decimal import Decimal
+from html import unescape
 from typing import Any
 from urllib.parse import parse_qs
 
+import mpmath as mp
 import numpy as np
 import param
 from hypothesis import Phase, given, settings
 
+from components.language.text import Forms
 from components.layout.choices import options
 from components.layout.controls import Choice
+from components.layout.sheet import blocks, in_force
+from components.layout.views import shown_blocks
 from components.quantities.parameters import Quantity
 from components.scene import Picture, Scene
+from components.scene.face import SceneFace
 from components.scene.traces import Columns
 from components.scenes import SCENES
 from components.session.opening import opened
@@ -23,8 +29,10 @@ from components.state.link import read_query
 from components.state.page_state import PageState
 from tests.grids import tries
 from tests.page.headless_page import picture_wire
+from tests.physics.truth import Truth
 from tests.states import values
 
+TAG, LIVE = re.compile(r"<[^>]+>"), re.compile(r'<(\w+)[^>]*data-value="(\w+)"[^>]*></\1>')
 LONG_NUMBER = re.compile(r"\d{7,}|\d\.\d{6,}|\bnan\b|\binf\b|e[-+]?\d", re.IGNORECASE)
 HYPHEN = re.compile(r"(?<![\w)\]])-\s?\.?\d")
 """Matches a hyphen that is used as a minus sign."""
@@ -74,11 +82,6 @@ def in_any_state(
     if count:
         random = settings(max_examples=tries(count), phases=(Phase.explicit, Phase.generate))
         random(given(values(kind, decades))(compare))()
-
-
-def columns(scene: Scene, source: str = "time") -> dict[str, np.ndarray]:
-    """The numbers of a source as arrays."""
-    return {name: np.asarray(column) for name, column in scene.sources[source].data.items()}
 
 
 def check_picture(scene: Scene | PageState) -> None:
@@ -146,6 +149,19 @@ def harmonics(s: Any, count: int) -> tuple[Any, Any]:
         return f, f / np.abs(s.k - s.m * (n * s.omega) ** 2 + 1j * n * s.c * s.omega)
 
 
+def modes_of(s: Any) -> Truth:
+    """The modes of the masses and springs of a scene, with many digits."""
+    return Truth(s.m1, s.m2, s.k1, s.k2)
+
+
+def steady(m1: Any, m2: Any, k1: Any, k2: Any, F_0: Any, omega: Any, c1: Any = 0, c2: Any = 0) -> Any:
+    """X1 and X2 of x_i = Im(X_i exp(i omega t)) from Newton's laws, or None at a resonance."""
+    link, square = k2 + (mp.mpc(0, c2 * omega) if c2 else 0), mp.mpf(omega) ** 2
+    one, two = k1 + link + (mp.mpc(0, c1 * omega) if c1 else 0) - m1 * square, link - m2 * square
+    D = one * two - link**2
+    return (two * F_0 / D, link * F_0 / D) if D else None
+
+
 def power(unit: str, system: System) -> int:
     above, _, below = unit.partition("/")
     parts = [*((part, 1) for part in above.split()), *((part, -1) for part in below.split())]
@@ -164,3 +180,53 @@ def scaled(scene: Scene, system: System) -> Any:
         if isinstance(quantity, Quantity) and found.get(name) is not None:
             found[name] = float(Decimal(repr(float(found[name]))).scaleb(power(quantity.unit, system)))
     return scene.at(found)
+
+
+def sentences(scene: Scene | SceneFace) -> list[str]:
+    """Return the visible sentences of a scene, with live numbers filled in and formulas as plain text."""
+    shown = set(map(id, shown_blocks(scene.sheet(), scene.values.get("view", ""))))
+    seen = (block for block in in_force(scene.sheet(), scene.shown.forms) if id(block) in shown)
+    return [text for block in seen for text in _texts(scene, block)]
+
+
+def visible_text(scene: Scene | SceneFace) -> str:
+    return "\n".join(sentences(scene))
+
+
+def said(scene: Scene | SceneFace, name: str) -> str:
+    """Return the sentences with a name, in the form of the picture."""
+    form = scene.shown.forms[name]
+    return "\n".join(_read(scene, one.variants[form]) for one in _named(scene, name) if form in one.variants)
+
+
+def wordings(scene: type[Scene], name: str) -> set[str]:
+    """Return all forms of a sentence."""
+    return {form for one in _named(scene, name) for form in one.variants}
+
+
+def number(text: str) -> float:
+    """Return a number as the page writes it: −1.23·10⁻⁷."""
+    plain = text.replace("−", "-").replace("·10", "e").translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789"))
+    return float(plain.replace("+", ""))
+
+
+def numbers(text: str) -> list[float]:
+    return [number(found) for found in re.findall(r"[−+]?\d+(?:\.\d+)?(?:·10[⁻⁰¹²³⁴-⁹]+)?", text)]
+
+
+def _named(scene: Any, name: str) -> Iterator[Forms]:
+    texts = (one for block in blocks(scene.sheet()) for one in getattr(block, "items", ()))
+    return (one for one in texts if name and one.name == name)
+
+
+def _texts(scene: Any, block: Any) -> Iterator[str]:
+    for item in getattr(block, "items", ()):
+        html = item.variants.get(scene.shown.forms.get(item.name, "") if item.name else "")
+        if html:
+            yield _read(scene, html)
+
+
+def _read(scene: Any, html: str) -> str:
+    """The words of a text, with the numbers of the picture."""
+    words = TAG.sub("", LIVE.sub(lambda live: scene.shown.values.get(live[2], ""), html))
+    return unescape(words).replace("\N{NO-BREAK SPACE}", " ")

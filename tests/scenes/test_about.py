@@ -63,14 +63,12 @@ def test_a_curve_that_is_off_is_found_out(slug: str) -> None:
         scene.set({"view": "sweep"})
     about = told_by(scene)
     assert about is not None
-    most = max(each.limit for each in about.tables)
-    places = {"t", "omega", "w", "p"}
-
-    def moved(column: np.ndarray) -> np.ndarray:
-        return column + 4 * most * np.spacing(np.max(np.abs(column)))
-
+    ulps = 4 * max(each.limit for each in about.tables)
     columns = {
-        source: {name: column if name in places else moved(column) for name, column in data.items()}
+        source: {
+            name: column + (0 if name in ("t", "omega", "w", "p") else ulps * np.spacing(np.max(np.abs(column))))
+            for name, column in data.items()
+        }
         for source, data in scene.shown.sources.items()
         if not source.startswith("band")
     }
@@ -103,18 +101,15 @@ def test_bounds_digits_and_drifts_as_they_are_said() -> None:
     assert digits(Decimal.from_float(0.1)) == "0.10000000000000000555"
     assert digits(Decimal("-1.5e-200")) == "−1.5000000000000000000·10⁻²⁰⁰"
     assert digits(Decimal("0.99999999999999999999999")) == "1.0000000000000000000"
-    assert digits(Decimal(0)) == "0"
     assert drift(np.array([2.0, 2.0]), 2.0) == "$T + V$ = 2.00 J; over the window it keeps every digit."
     assert "it changes by at most 0.5 of this value" in drift(np.array([2.0, 3.0]), 2.0)
     assert drift(np.zeros(2), 0.0) == "$T + V$ is 0: nothing moves."
 
 
-def test_a_scene_that_cannot_say_says_why(monkeypatch: pytest.MonkeyPatch) -> None:
-    def refused(*_: object) -> None:
+def test_a_scene_that_cannot_say_says_why() -> None:
+    def refused() -> None:
         raise ValueError("the phase leaves the range of doubles")
 
-    monkeypatch.setattr(SCENES["coupled"], "about", refused)
-    scene = SCENES["coupled"]()
-    told = about_numbers(partial(scene.about, scene.shown))
+    told = about_numbers(refused)
     assert (told.reading, told.tables) == ("", ())
     assert told.notes == ("These numbers cannot be recomputed: the phase leaves the range of doubles.",)

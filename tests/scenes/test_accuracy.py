@@ -1,9 +1,8 @@
 """Scene accuracy: its picture of recorded runs, the queue of measurements and its worker process."""
 
-import asyncio
 import re
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from itertools import cycle
@@ -19,14 +18,11 @@ from components.scenes.accuracy.measurement import known
 from components.scenes.accuracy.measuring import LIVE, WAITING, Job, Measuring
 from components.scenes.accuracy.prices import price_list, time_text, unreached
 from components.scenes.accuracy.recorded import recorded
-from physics.integrators.accuracy import MARKS, PERIODS, SYSTEMS, Run, entered
-from physics.integrators.exponential_steps import EXPONENTIAL
-from physics.integrators.fixed_steps import STEPPING
-from physics.integrators.price import prices
+from physics.integrators.accuracy import MARKS, SYSTEMS, Run, entered
 from physics.integrators.solvers import METHODS
 from tests.page.headless_page import Page, unpacked
 from tests.scenes.checks import check_picture
-from tests.serving.server import Server, serving
+from tests.serving.server import serving
 from tests.serving.visitor import Visitor
 
 pytestmark = pytest.mark.timeout(600)
@@ -195,44 +191,11 @@ def test_the_first_view_draws_three_methods_that_leave_the_exact_motion() -> Non
 TWO = ("closed", "verlet")
 
 
-SOLVING = [slug for slug, step in STEPPING.items() if step.solved or step.splits]
-"""Methods that solve equations, or the coupling spring, exactly: no step of theirs is too long for stability."""
-
-
-def runs(slug: str) -> Mapping[str, Sequence[Run]]:
-    return recorded(slug).runs.by_method
-
-
-def stepping(slug: str, wanted: float) -> dict[str, float]:
-    """Evaluations of the adaptive methods, without one that 1,000 restarts make more accurate than asked."""
-    found = prices(runs(slug).values(), wanted)
-    known = {price.method: price.evaluations or 0.0 for price in found if price.time is not None}
-    return {name: n for name, n in known.items() if METHODS[name].family in ("fixed", "adaptive") and name != "fortran"}
-
-
-def test_what_the_presets_say_of_methods_is_true_of_the_record() -> None:
-    """Close frequencies cost no steps, a fast mode that swings does, and explicit methods follow one at rest."""
-    beats, benign = (stepping(slug, 1e-6) for slug in ("beats", "benign"))
-    assert all(beats[method] < benign[method] for method in beats.keys() & benign.keys())
-    for slug, ratio in (("wide", 2000), ("light", 1000)):
-        found = stepping(slug, 1e-3)
-        assert all(count > PERIODS * ratio for name, count in found.items() if name not in EXPONENTIAL)
-    found = stepping("wider", 1e-6)
-    assert all(found[slug] > 1000 * found["gauss4"] for slug in found if slug in STEPPING and slug not in SOLVING)
-    for method in ("midpoint", "newmark", "gauss4", "radau", "bdf"):
-        run = next(run for run in runs("dashpot")[method] if run.error is not None)
-        assert ((run.final_error or 0.0) < 0.01) == (method in ("radau", "bdf")), "long steps ring, or do not"
-
-
 def wait(until: Callable[[], object], seconds: float = 400.0) -> None:
     end = time.monotonic() + seconds
     while not until():
         assert time.monotonic() < end, "waited in vain"
         time.sleep(0.02)
-
-
-def nothing() -> None:
-    """A listener that does not listen."""
 
 
 def visitors(count: int) -> list[Callable[[], None]]:
@@ -244,20 +207,6 @@ def visitors(count: int) -> list[Callable[[], None]]:
 def two(monkeypatch: pytest.MonkeyPatch) -> None:
     """Two methods are measured, not eight, so that the run also ends on a busy machine."""
     monkeypatch.setattr("components.scenes.accuracy.measuring.LIVE", TWO)
-
-
-@pytest.fixture
-def full() -> Iterator[tuple[Measuring, list[Job], list[Callable[[], None]]]]:
-    """A queue with no room left, its jobs (the first one runs) and who waits for each."""
-    queue, people = Measuring(budget=60.0), visitors(WAITING + 1)
-    jobs = [queue.ask(replace(BENIGN, slug=f"own{n}"), 30.0, one) for n, one in enumerate(people)]
-    yield queue, jobs, people
-    for job, one in reversed(list(zip(jobs, people, strict=True))):
-        queue.leave(job, one)
-    wait(lambda: jobs[0].state == "done")
-
-
-Full = tuple[Measuring, list[Job], list[Callable[[], None]]]
 
 
 def test_a_measurement_comes_run_by_run_and_the_latest_are_remembered(
@@ -279,15 +228,15 @@ def test_a_measurement_comes_run_by_run_and_the_latest_are_remembered(
     closed = next(run for run in job.runs if run.method == "closed")
     assert closed.error is not None and closed.error < 1e-15 and closed.rounds == 3
     assert any(run.failure and "time limit" in run.failure for run in job.runs)
-    again = queue.ask(BENIGN, 0.02, nothing)
-    assert again is job
-    later = queue.ask(replace(BENIGN, slug="later"), 0.02, nothing)
+    assert queue.ask(BENIGN, 0.02, print) is job
+    later = queue.ask(replace(BENIGN, slug="later"), 0.02, heard)
     wait(lambda: later.state == "done")
     assert [queue.remembered(one.system, 0.02) for one in (job, later)] == [None, later]
 
 
-def test_a_full_queue_stays_as_it_is_and_a_network_has_one_measurement_waiting(full: Full) -> None:
-    queue, jobs, people = full
+def test_a_full_queue_stays_as_it_is_and_a_network_has_one_measurement_waiting() -> None:
+    queue, people = Measuring(budget=60.0), visitors(WAITING + 1)
+    jobs = [queue.ask(replace(BENIGN, slug=f"own{n}"), 30.0, one) for n, one in enumerate(people)]
     late, ours, other, again = visitors(4)
     for one in (late, people[0]):
         with pytest.raises(ValueError, match="8 measurements wait already"):
@@ -307,8 +256,9 @@ def test_a_full_queue_stays_as_it_is_and_a_network_has_one_measurement_waiting(f
     theirs = queue.ask(systems[1], 30.0, again, "198.51.100.0/24")
     queue.leave(job, other)
     changed = queue.ask(systems[2], 30.0, ours, "192.0.2.0/24")  # in place of the visitor's own
-    for each, one in ((changed, ours), (theirs, again)):
+    for each, one in ((changed, ours), (theirs, again), *reversed(list(zip(jobs, people, strict=True)))):
         queue.leave(each, one)
+    wait(lambda: jobs[0].state == "done")
 
 
 @pytest.mark.parametrize(
@@ -356,28 +306,20 @@ def test_a_method_can_be_skipped_unless_others_wait_for_it(two: None) -> None:
 def test_nothing_to_measure() -> None:
     queue = Measuring(budget=30.0)
     rest = replace(BENIGN, x_0=(0.0, 0.0), v_0=(0.0, 0.0))
-    job = queue.ask(rest, 1.0, nothing)
+    job = queue.ask(rest, 1.0, print)
     wait(lambda: job.state == "done")
     assert job.reason and not job.runs
     with pytest.raises(ValueError, match="no period"):
-        queue.ask(replace(BENIGN, chain=replace(BENIGN.chain, k1=0.0, k2=0.0)), 1.0, nothing)
+        queue.ask(replace(BENIGN, chain=replace(BENIGN.chain, k1=0.0, k2=0.0)), 1.0, print)
 
 
 @pytest.mark.nightly
-def test_a_visitor_who_leaves_ends_the_measurement(tmp_path: Path) -> None:
-    soon = ("--unused-seconds", "0.05")
-    with serving(tmp_path / "log", options=soon) as server:
-        asyncio.run(_measure_and_leave(server))
-        wait(lambda: not workers(server))
+async def test_a_visitor_who_leaves_ends_the_measurement(tmp_path: Path) -> None:
+    with serving(tmp_path / "log", options=("--unused-seconds", "0.05")) as server:
+        process = psutil.Process(server.process.pid)
+        visitor = await Visitor.arrive(server.url, "scene=accuracy&limit=60")
+        await visitor.send({"type": "run", "order": "start"})
+        wait(process.children)
+        await visitor.depart()
+        wait(lambda: not process.children())
         assert "on_session_destroyed" not in server.log.read_text()
-
-
-def workers(server: Server) -> list[psutil.Process]:
-    return psutil.Process(server.process.pid).children()
-
-
-async def _measure_and_leave(server: Server) -> None:
-    visitor = await Visitor.arrive(server.url, "scene=accuracy&limit=60")
-    await visitor.send({"type": "run", "order": "start"})
-    wait(lambda: workers(server))
-    await visitor.depart()

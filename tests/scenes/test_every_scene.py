@@ -15,7 +15,6 @@ from msgspec.structs import replace
 
 from components.panel_face.face import PanelFace
 from components.quantities.instant import instant
-from components.quantities.parameters import Quantity
 from components.quantities.refusals import SORRY
 from components.scene import Picture, Scene
 from components.scene.face import SceneFace
@@ -90,17 +89,6 @@ def test_a_change_is_small(scene_class: type[Scene]) -> None:
         set_values(page, **values)
         set_values(page, **{name: scene_class.param[name].default for name in values})
     assert max(len(packet["data"]) for packet in page.packets) + FRAMES <= MOST_BYTES.get(scene_class.slug, 3000)
-
-
-@scenes
-def test_the_docstring_lists_all_parameters_with_their_units(scene_class: type[Scene]) -> None:
-    text = scene_class.__doc__ or ""
-    assert text == type(scene_class()).__doc__
-    for name, one in scene_class.linked().items():
-        (line,) = re.findall(rf"^{name} : (.+)$", text, re.M)
-        assert isinstance(one, Quantity) == line.startswith("float")
-        assert not isinstance(one, Quantity) or (one.unit or "a pure number") in line
-    assert "None" not in re.findall(r"^    (.+?\.) ", text, re.M)
 
 
 @pytest.mark.parametrize(

@@ -17,7 +17,7 @@ from physics.root_paths import RootPath, Varied
 from tests.grids import tries
 from tests.page.headless_page import Page, say
 from tests.physics.braked_cases import Case, cases, eigenvectors
-from tests.scenes.sentences import number, sentences, visible_text
+from tests.scenes.checks import number, sentences, visible_text
 
 WAYS: tuple[Varied, ...] = ("c1", "c2", "both")
 NUMBER = r"[−+]?[0-9]+(?:\.[0-9]+)?(?:·10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?"

@@ -20,7 +20,8 @@ from components.scene import Scene
 from components.scenes import SCENES
 from physics.analogues import ANALOGUES
 from physics.reference.damped import free_part
-from tests.scenes.checks import in_any_state
+from tests.physics.truth import Truth as Chain
+from tests.scenes.checks import in_any_state, modes_of, steady
 from tests.states import DECADES
 
 Truth = dict[str, Any]
@@ -101,19 +102,11 @@ def driven(scene: Any) -> Truth:
     return found | {"X": abs(X), "phi": -mp.arg(X) % (2 * mp.pi), "W": mp.pi * c * w * stroke**2}
 
 
-def _modes(scene: Any) -> list[tuple[Any, Any]]:
-    """The natural frequencies and X2/X1 of both modes."""
-    m1, m2, k1, k2 = _of(scene, "m1", "m2", "k1", "k2")
-    b = m1 * k2 + m2 * (k1 + k2)
-    root = mp.sqrt(b**2 - 4 * m1 * m2 * k1 * k2)
-    squares = (b - root) / (2 * m1 * m2), (b + root) / (2 * m1 * m2)
-    return [(mp.sqrt(square), (k1 + k2 - m1 * square) / k2 if k2 else None) for square in squares]
-
-
 def _named(scene: Any, frequencies: tuple[str, str], ratios: tuple[str, str]) -> Truth:
-    both = _modes(scene)
-    found = {name: w for name, (w, _) in zip(frequencies, both, strict=True)}
-    return found | {name: ratio for name, (_, ratio) in zip(ratios, both, strict=True) if ratio is not None}
+    """The natural frequencies and, if the masses are coupled, X2/X1 of both modes."""
+    modes = modes_of(scene)
+    found = dict(zip(frequencies, modes.omega, strict=True))
+    return found | (dict(zip(ratios, modes.ratio, strict=True)) if scene.k2 else {})
 
 
 def coupled(scene: Any) -> Truth:
@@ -121,11 +114,12 @@ def coupled(scene: Any) -> Truth:
     x1, x2, v1, v2 = _of(scene, "x1_0", "x2_0", "v1_0", "v2_0")
     found = _named(scene, ("omega_minus", "omega_plus"), ("slow_ratio", "fast_ratio"))
     found["E_total"] = (m1 * v1**2 + m2 * v2**2 + k1 * x1**2 + k2 * (x2 - x1) ** 2) / 2
-    for sign, (w, ratio) in zip(("minus", "plus"), _modes(scene), strict=True):
-        if ratio is None or not w:
+    modes = modes_of(scene)
+    begun = modes.coordinates((x1, x2), (v1, v2))
+    for sign, w, ratio, M, one in zip(("minus", "plus"), modes.omega, modes.ratio, modes.mass, begun, strict=True):
+        if not k2 or not w:
             continue
-        M = m1 + m2 * ratio**2
-        q, rate = (m1 * x1 + m2 * ratio * x2) / M, (m1 * v1 + m2 * ratio * v2) / M
+        q, rate = one
         X = mp.hypot(q, rate / w)
         # Initial conditions given by modes are rounded, so a small mode has the errors of the sum.
         whole = mp.hypot(m1 * x1, m1 * v1 / w) / M + abs(ratio) * mp.hypot(m2 * x2, m2 * v2 / w) / M
@@ -136,47 +130,36 @@ def coupled(scene: Any) -> Truth:
     return found
 
 
-def _steady(scene: Any, c1: Any, c2: Any, w: Any) -> tuple[Any, Any]:
-    """X1 and X2 of x_i = Im(X_i exp(i omega t)) from Newton's laws."""
-    m1, m2, k1, k2, F = _of(scene, "m1", "m2", "k1", "k2", "F_0")
-    link = mp.mpc(k2, c2 * w)
-    a, d = mp.mpc(k1, c1 * w) + link - m1 * w**2, link - m2 * w**2
-    D = a * d - link**2
-    return d * F / D, link * F / D
-
-
 def forced(scene: Any) -> Truth:
     m1, m2, k1, k2, F, w, c1, c2 = _of(scene, "m1", "m2", "k1", "k2", "F_0", "omega", "c1", "c2")
-    found = _named(scene, ("omega_minus", "omega_plus"), ("ratio_minus", "ratio_plus"))
+    found, modes = _named(scene, ("omega_minus", "omega_plus"), ("ratio_minus", "ratio_plus")), modes_of(scene)
     found |= {"mark_still": mp.sqrt(k2 / m2), "works1": 0, "works2": 0, "work": 0}
     if not (c1 or c2):
         one, two = k1 + k2 - m1 * w**2, k2 - m2 * w**2
         found["D"] = one * two - k2**2, (k1 + k2 + m1 * w**2) * (k2 + m2 * w**2) + k2**2
         if k2:
-            near = min(_modes(scene), key=lambda mode: abs(mode[0] - w))
-            M = m1 + m2 * near[1] ** 2
-            found |= {f"growth{i}": F * abs(s) / (2 * M * near[0]) for i, s in ((1, 1), (2, near[1])) if near[0]}
+            j = min((0, 1), key=lambda j: abs(modes.omega[j] - w))
+            size = F / (2 * modes.mass[j] * modes.omega[j]) if modes.omega[j] else None
+            found |= {f"growth{i}": size * abs(s) for i, s in enumerate(modes.shape[j], 1) if size is not None}
     else:
-        roots = _roots(scene)
-        slowest = min((-mp.re(s) for s in roots), default=mp.inf)
-        found["dies"] = mp.log(100) / slowest if slowest > 0 else mp.inf
-    if not w or (any(abs(own / w - 1) < NEAR for own, _ in _modes(scene)) and not (c1 or c2)):
+        found["dies"] = _dies(m1, m2, k1, k2, c1, c2)
+    if not w or (any(abs(own / w - 1) < NEAR for own in modes.omega) and not (c1 or c2)):
         return {name: one for name, one in found.items() if name != "D"}
-    X1, X2 = _steady(scene, c1, c2, w)
+    X1, X2 = steady(m1, m2, k1, k2, F, w, c1, c2)
     if not (c1 or c2):
-        return found | {"Xp1": mp.re(X1), "Xp2": mp.re(X2)}
+        return found | {"Xp1": X1, "Xp2": X2}
     found |= {"Xp1": abs(X1), "Xp2": abs(X2), "works1": mp.pi * w * c1 * abs(X1) ** 2}
     found["works2"] = mp.pi * w * c2 * abs(X2 - X1) ** 2
     return found | {"work": found["works1"] + found["works2"], "lag1": mp.arg(X1), "lag2": mp.arg(X2)}
 
 
-def _roots(scene: Any) -> list[Any]:
-    """The roots s of the chain with dashpots."""
-    m1, m2, k1, k2, c1, c2 = _of(scene, "m1", "m2", "k1", "k2", "c1", "c2")
+def _dies(m1: Any, m2: Any, k1: Any, k2: Any, c1: Any, c2: Any) -> Any:
+    """The time until 1 % is left of the slowest part of a chain with dashpots."""
     square = m1 * k2 + m2 * (k1 + k2) + c1 * c2
     powers = [k1 * k2, c1 * k2 + c2 * k1, square, m1 * c2 + m2 * (c1 + c2), m1 * m2]
     zeros = next(i for i, one in enumerate(powers) if one)
-    return [mp.mpf(0)] * zeros + mp.polyroots(powers[zeros:], maxsteps=500, extraprec=1000, asc=True)
+    roots = mp.polyroots(powers[zeros:], maxsteps=500, extraprec=1000, asc=True)
+    return mp.inf if zeros else mp.log(100) / min(-mp.re(s) for s in roots)
 
 
 def modes(scene: Any) -> Truth:
@@ -200,15 +183,13 @@ def absorber(scene: Any) -> Truth:
     k2 = mp.mpf(0) if scene.tuning == "detached" else mp.mpf(scene.k2)
     c = mp.mpf(scene.c) if scene.damping == "added" and scene.tuning != "detached" else mp.mpf(0)
     found: Truth = {"mu": m2 / m1, "height": F / k1 * mp.sqrt(1 + 2 * m1 / m2)}
-    b = m1 * k2 + m2 * (k1 + k2)
-    root = mp.sqrt(b**2 - 4 * m1 * m2 * k1 * k2)
-    found |= {"slow": mp.sqrt((b - root) / (2 * m1 * m2)), "fast": mp.sqrt((b + root) / (2 * m1 * m2))}
+    found["slow"], found["fast"] = Chain(m1, m2, k1, k2).omega
+    if c:
+        found["dies"] = _dies(m1, m2, k1, k2, mp.mpf(0), c)
     if abs(w**2 * m1 / k1 - 1) > NEAR:
         found["alone"] = abs(F / (k1 - m1 * w**2))
-    link = mp.mpc(k2, c * w)
-    D = (k1 + link - m1 * w**2) * (link - m2 * w**2) - link**2
     if c or all(abs(own / w - 1) > NEAR for own in (found["slow"], found["fast"])):
-        X1, X2 = (link - m2 * w**2) * F / D, link * F / D
+        X1, X2 = steady(m1, m2, k1, k2, F, w, 0, c)
         loose = not k2 and not c
         found |= {"swing": abs(X1), "stroke": 0 if loose else abs(X2 - X1), "pull": m2 * w**2 * abs(X2)}
     return found
@@ -282,7 +263,7 @@ OTHERWISE = {
     "chain": {"E"},  # other than plucked: test_presets
     "modes": {f"{root}_{part}" for root in ROOTS for part in ("rate", "omega", "zeta", "Q", "decay")},  # test_modes
     "phugoid": {"tau_exact", "late"},  # test_one_mass
-    "absorber": {"help_low", "help_high", "dies"},  # tests/physics/test_chain, and below
+    "absorber": {"help_low", "help_high"},  # tests/physics/test_chain, and test_special_states
     "analogues": {"inertia", "stiffness"},  # tests/physics/test_large_motions
     "accuracy": {"drift_euler", "drift_verlet", "drift_rk4", "picked_error", "picked_time", "picked_evaluations"},
 }

@@ -9,14 +9,11 @@ import pytest
 from components.scene.face import SceneFace
 from components.scenes import SCENES
 from physics.coupled import TwoMassChain
-from tests.scenes.checks import check_picture
-from tests.scenes.sentences import said, visible_text
+from tests.scenes.checks import check_picture, said, visible_text
 
 GOLDEN = (math.sqrt(5) - 1) / 2
 OWN = math.sqrt(39.48)
 """The natural frequency of the default mass and spring."""
-EXACT = {"view": "harmonics", "m": 1.0, "k": 36.0, "c": 0.0}
-"""A driven mass with the natural frequency 6 rad/s."""
 MACHINE = {"own": True, "m1": 3.0, "k1": 1.0, "F_0": 1.0, "m2": 1.0}
 """sqrt(k1/m1) = sqrt(1/3) is no double."""
 LIGHT = {"c1": 0.1, "c2": 0.1}
@@ -34,7 +31,6 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
         ({}, {"signals.F": None, "scalars.forced": 0}),
     ],
     "energy": [
-        ({"g": 0.0}, {"scalars.natural": 0.0}),
         ({"x_0": 0.001}, {"scalars.natural_seen": 0, "scalars.natural_far": 1, "axes.x.end": -0.00125}),
     ],
     "analogues": [
@@ -46,7 +42,6 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
         ({"excess": 0.0}, {"values.verdict": "Steady level flight: nothing swings."}),
         ({"v_0": 250.0, "unit": "ft/s"}, {"values.h_size": "−12500", "axes.h.exponent": 3}),
         ({"view": "limits"}, {"scalars.family_named": 1}),
-        ({}, {"values.tau": "20.7", "values.omega": "0.303", "values.tau_model": "4.83 s"}),
         ({}, {"values.tau_glider": "12.4 s", "values.tau_light": "20.7 s", "values.tau_airliner": "113 s"}),
     ],
     "damped": [
@@ -64,21 +59,16 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
         ({"F_0": 0.0, "x_0": 0.1}, {"holds": "No push", "scalars.polygon_idle": 1, "columns.power": None}),
         ({"omega": OWN, "c": 0.0}, {"holds": "Nothing balances the push: each swing grows by the same 0.159 m.",
          "scalars.M_at": None, "scalars.polygon_growing": 1}),
+        ({"view": "harmonics", "m": 1.0, "k": 36.0, "c": 0.0, "push": "square", "omega": 2.0},
+         {"meets": "0.0707", "sources.time.x_p": None, "notes": None}),  # 4 F_0/(3 π) over 2 m 3 ω
         ({"axes": "log", "omega": 0.0}, {"scalars.omega_at": None}),
         ({}, {"scalars.natural": None, "scalars.peak_up": None}),
         # The power has a peak of the width Δω under a force; under an unbalance it rises without end.
         ({"zeta": 0.2, "view": "formulas"}, {"text": "Δω"}),
         ({"zeta": 0.2, "view": "formulas", "kind": "unbalance"}, {"not text": "Δω"}),
-        ({"zeta": 0.2, "view": "formulas", "kind": "base"}, {"not text": "Δω"}),
         ({"view": "formulas"}, {"forms.law": "force", "forms.x_p": "dies_formula"}),
         ({"view": "formulas", "push": "square"}, {"forms.law": "push", "not forms.x_p": "formula"}),
-        ({"view": "response", "push": "pulses"}, {"holds": "The push is not a sine", "numbers.X": None}),
         ({"view": "power", "push": "step"}, {"no_powers": "no mean power", "numbers.P_in": None}),
-        ({"view": "power", "push": "impulse"}, {"forms.has_power": "", "numbers.P_lost": None}),
-        ({**EXACT, "push": "square", "omega": 2.0}, {"meets": "Harmonic 3 has exactly the natural frequency"}),
-        ({**EXACT, "push": "square", "omega": 2.0}, {"meets": "0.0707"}),  # 4 F_0/(3 π) over 2 m 3 ω
-        ({**EXACT, "push": "square", "omega": 2.0}, {"sources.time.x_p": None, "notes": None}),
-        ({**EXACT, "push": "square", "omega": 3.0}, {"meets": "Harmonic 2 would be at the peak, but this push"}),
         ({"view": "convolution", "kind": "base"}, {"sums": "about a force", "sources.time.x_sliced": None}),
         ({"view": "convolution", "F_0": 0.0}, {"sums": "No push", "columns.outline": None}),
         ({"view": "convolution", "push": "step", "window": 1e3}, {"sums": "too fast for a line"}),
@@ -101,8 +91,6 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
         ({"view": "roots", "c1": 0.1}, {"scalars.met": 1, "scalars.met1": -0.5, "scalars.met1_im": math.sqrt(1.75)}),
         ({"view": "roots", "c1": 0.1, "grows": "c2"}, {"scalars.met": 0}),
         *(({"view": one, "c1": 0.1}, {"notes": "without the dashpots"}) for one in ("guess", "solve", "sweep", "hunt")),
-        ({"view": "guess", "omega": math.sqrt(3)}, {"values.a11": "0.00", "values.row1": "+0.00"}),
-        ({"view": "guess", "omega": math.nextafter(1.0, 2.0)}, {"forms.agree": "same_slow", "values.D": "0.00"}),
         ({"view": "guess", "omega": math.nextafter(2.0, 1.0)}, {"forms.agree": "same_fast", "values.apart": "0.00"}),
         ({"view": "hunt"}, {"forms.answer": "", "columns.answer": None, "values.answer_slow": None,
          "values.omega_slow": None}),
@@ -111,33 +99,25 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
     "forced": [
         ({"omega": 0.6}, {"scalars.Xp1_over": 1, "scalars.Xp2_over": 1, "scalars.Xp1_under": 0}),
         ({"omega": 0.65, "curve": "signed"}, {"scalars.Xp1_over": 0, "scalars.Xp1_under": 1, "scalars.Xp2_under": 1}),
-        ({}, {"scalars.Xp1_over": 0, "scalars.Xp2_under": 0}),
         ({"k1": 100.0}, {"spans.omega": (0.0, 25.126)}),
         ({"curve": "signed", "axes": "lecture"}, {"scalars.mark_minus": GOLDEN, "scalars.mark_plus": 1 / GOLDEN,
          "scalars.mark_still": 1.0}),
         ({"k1": 0.0, "axes": "lecture"}, {"forms.lecture": "", "notes": "k₁", "axes.X.unit": "m"}),
         ({"omega": 1.3}, {"values.way1": "with F", "values.way2": "against F"}),
-        ({"m1": 2.0, "k1": 4.0, "k2": 2.0, "omega": 1.0}, {"values.growth1": "0.0833", "values.growth2": "0.167"}),
         ({"omega": GOLDEN + 2e-5}, {"forms.x1_limit": "grows", "sources.limit.x1_growth": None}),
         ({"omega": GOLDEN + 2e-5, "window": 2e5}, {"forms.x1_limit": "beats"}),
         ({"omega": (1 + 1e-9) * GOLDEN}, {"sources.time.x1_p": None, "notes": "far larger than their sum"}),
-        ({"view": "bode", "omega": 1.0}, {"text": "Mass 1 is still: no lag"}),
         ({"view": "bode", "omega": 1.0}, {"text": "mass 2 lags 180°"}),
         ({"view": "bode", **LIGHT}, {"axes.omega.log": True, "axes.X.log": True}),
         ({"view": "bode", **LIGHT, "scale": "size"}, {"axes.omega.log": False}),
         ({"view": "response", **LIGHT, "scale": "log"}, {"axes.omega.log": False}),
         ({"view": "bode", **LIGHT}, {"text": "peaks at 0.617 (width 0.0383) and 1.62 (width 0.256) rad/s"}),
         (LIGHT, {"scalars.peak1_0": None}),
-        ({"c1": 0.2, "omega": 1.0}, {"numbers.Xp1": 0.0, "scalars.mark_still": 1.0}),
-        ({"k1": 0.0}, {"scalars.mark_minus": 0.0}),
         ({"c1": 0.4, "omega": 0.0}, {"notes": "At ω = 0 the force F₀ sin ωt is 0 at all times."}),
     ],
     "absorber": [
-        ({}, {"values.Xp1": "0.00", "values.Xp2": "−13.6", "values.alone": "25.5", "values.slow": "40.3"}),
-        ({}, {"values.help_low": "42.6", "values.help_high": "56.3", "values.fast": "59.6", "values.mu": "0.160"}),
-        ({}, {"values.found0": "nearest is 16.1 % away: ω₋ 40.3 rad/s"}),
-        ({}, {"values.found1": "xₚ: 0.00 mm; from rest within 5.18 mm"}),
-        ({}, {"values.found2": "xₚ: 13.6 mm; from rest within 26.9 mm"}),
+        ({}, {"values.help_low": "42.6", "values.help_high": "56.3", "values.found0": "16.1 % away: ω₋ 40.3 rad/s",
+         "values.found1": "xₚ: 0.00 mm; from rest within 5.18 mm"}),
         ({"own": True, "m1": 2.0, "k1": 4.0, "F_0": 1.0, "omega": 1.0, "m2": 1.0, "k2": 2.0}, {"forms.why": "grow",
          "scalars.is_grow": 1, "values.found1": "no Xₚ here: it grows without limit", "values.judged": "from rest"}),
         ({**MACHINE, "omega": math.sqrt(1 / 3)}, {"values.found1": "xₚ: 0.00 m; from rest within"}),

@@ -7,10 +7,8 @@ from components.language.signals import Sampled
 from components.quantities.axes import TIME_AXIS, Axis
 from components.quantities.instant import instant
 from components.scene import Picture, Scene
-from components.scene.traces import resolved, samples
 from components.scenes import SCENES
 from components.state.scene_sheet import column_axes, plots
-from physics.sampling import drawable
 from tests.page.headless_page import picture_wire
 from tests.scenes.checks import choices, in_any_state
 
@@ -80,10 +78,3 @@ def check_points(scene: Scene) -> None:
             reached = later.max() - drawn.max(), drawn.min() - later.min()
             roundings = 1e-12 * abs(axis.end - axis.start)
             assert 0 <= max(reached) <= 0.035 * np.ptp(dense[name]) + roundings, (dict(scene.values), source, name)
-
-
-@pytest.mark.parametrize("cycles", [0.0, 1e-300, 3.0, 56.6, 56.7, 1e4, 1e300])
-@pytest.mark.parametrize("end", [1e-150, 1.0, 3e7])
-def test_a_line_is_drawn_for_what_its_samples_resolve(end: float, cycles: float) -> None:
-    fastest = 2 * np.pi * cycles / end
-    assert resolved(end, fastest) == drawable(fastest, np.linspace(0.0, end, samples(end, fastest)))

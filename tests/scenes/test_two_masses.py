@@ -3,14 +3,10 @@
 import math
 from typing import Any
 
-import mpmath as mp
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from components.chain import of_scene, start_of
-from components.language.shapes import AnyShape
 from components.language.signals import Modal
 from components.scenes import SCENES
 from components.scenes.absorber import Absorber
@@ -22,46 +18,19 @@ from components.state.covers import without
 from components.state.page_state import fitted
 from physics.absorber import den_hartog
 from physics.bode_curves import locus_frequencies
-from physics.coupled import TwoMassChain, free_modes
 from physics.damped_chain import DampedChain
 from physics.forced import particular_solution
-from physics.modal_start import amplitudes_and_phases, modes_given, start_given
 from physics.transient import DampedModes
-from tests.grids import tries
 from tests.page.hand import Hand, grabs
 from tests.page.headless_page import Page, change, say, set_values
 from tests.page.scripts import call
-from tests.scenes.checks import by_link, check_picture
-
-U = 2.0**-53
-SIZE, TWO_SIZES = st.floats(-6, 6).map(lambda power: 10**power), st.tuples(*2 * (st.floats(0.01, 2),))
-TWO_PHASES = st.tuples(*2 * (st.integers(-3000, 3000).map(lambda one: one / 1000),))
+from tests.scenes.checks import by_link
 
 
-@settings(max_examples=tries(60))
-@given(SIZE, SIZE, SIZE, SIZE | st.just(0.0), TWO_SIZES, TWO_PHASES)
-def test_a_motion_by_its_modes_comes_back_to_the_last_digits(
-    m1: float, m2: float, k1: float, k2: float, sizes: tuple[float, float], phases: tuple[float, float]
-) -> None:
-    chain = TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2)
-    free = modes_given(chain, sizes, phases)
-    back = amplitudes_and_phases(free)
-    for j, omega in enumerate(chain.modes().omega):
-        assert back[0][j] == pytest.approx(sizes[j] if omega else abs(sizes[j] * math.sin(phases[j])), rel=4 * U)
-        assert not omega or abs(phases[j] - back[1][j]) < 4 * U * math.pi
-    x_0, v_0 = start_given(free)
-    for i in (0, 1):
-        shape = [float(mode.shape[i]) for mode in chain.exact_modes]
-        with mp.workdps(60):
-            parts = [A * mp.sin(mp.mpf(phi)) * s for A, phi, s in zip(sizes, phases, shape, strict=True)]
-            assert abs(x_0[i] - sum(parts)) <= 2 * U * sum(abs(part) for part in parts)
-    again = free_modes(chain, x_0, v_0)
-    reach = np.abs(free.amplitude).sum() + np.abs(again.amplitude).sum()
-    assert np.abs(again.amplitude - free.amplitude).max() <= 1e-9 * reach
-
-
-def test_the_choice_changes_nothing_and_leads_back_exactly() -> None:
-    start = {"x1_0": 0.37, "x2_0": -0.2, "v1_0": 1 / 3, "k2": 0.77}
+@pytest.mark.parametrize(
+    "start", [{"x1_0": 0.37, "x2_0": -0.2, "v1_0": 1 / 3, "k2": 0.77}, {"k1": 0.0, "x1_0": -0.3, "x2_0": -0.1}]
+)
+def test_the_choice_changes_nothing_and_leads_back_exactly(start: dict[str, float]) -> None:
     page = Page(SCENES["coupled"](**start))
     before = page.opening()["view"]["columns"]["time"]
     told = say(page, "choose", name="given_by", value="modes")
@@ -87,31 +56,9 @@ def test_what_swings_against_the_push_is_dashed(values: dict[str, float], shown:
             assert not np.any(X < 0 if drawn[f"branch{i}", name] == "sum" else X > 0), (i, name)
 
 
-@pytest.mark.parametrize("label", ["At slow", "At fast"])
-def test_hardly_an_ulp_from_a_natural_frequency_is_resonance(label: str) -> None:
-    """The frequency is between two doubles; only these two are at most an ulp away."""
-    scene, seen = Forced(), []
-    scene.set(SCENES["forced"].preset_all(label))
-    natural = scene.omega
-    for omega in (natural, math.nextafter(natural, 0.0), math.nextafter(natural, math.inf)):
-        scene.set({"omega": omega})
-        seen.append(scene.shown.forms["steady"])
-        if seen[-1] == "resonance":
-            assert (scene.shown.values["D"], scene.shown.values["Xp1"]) == ("0.00", "+∞")
-            (error,) = say(Page(scene), "act", name="steady")["errors"].values()
-            assert "is at a natural frequency, where no particular solution exists: another" in error
-    assert seen[0] == "resonance" and seen.count("resonance") == 2
-
-
-CHAINS: list[dict[str, float]] = [
-    {"m1": 2.0, "k1": 4.0, "k2": 2.0, "c1": 0.4, "c2": 0.2},
-    {"k1": 0.0, "x1_0": 0.3, "c2": 216.0},
-    {"k2": 0.0, "v2_0": 0.1, "c1": 0.2},
-    {"m1": 400.0, "m2": 225.0, "k1": 625.0, "k2": 144.0, "x1_0": 0.1},
-]
-
-
-@pytest.mark.parametrize("values", CHAINS, ids=str)
+@pytest.mark.parametrize(
+    "values", [{"m1": 2.0, "k2": 2.0, "c1": 0.4, "c2": 0.2}, {"k1": 0.0, "x1_0": 0.3, "c2": 216.0}, {"v2_0": 0.1}]
+)
 def test_the_work_of_the_drive_becomes_energy_and_heat(values: dict[str, float]) -> None:
     scene = Forced(**values, view="work")
     data = scene.sources["energy"].data
@@ -132,23 +79,20 @@ def test_pushed_on_its_particular_solution_nothing_dies() -> None:
     assert not any(Forced(F_0=0.0).action("steady").values())
 
 
-UNEVEN = {"m1": 2.0, "m2": 1.0, "k1": 4.0, "k2": 2.0, "c1": 0.2, "c2": 0.0, "view": "nyquist"}
-
-
-def held(i: int, omega: float) -> Hand:
-    """A hand on the dot of mass i in the complex plane, at a drive frequency."""
-    shape: AnyShape = next(one for one, grab in grabs(Forced) if grab.label.endswith(f"loops of mass {i}"))
-    return Hand(fitted(Forced.at({**UNEVEN, "omega": omega})), shape, wide=True, t=0.0)
-
-
 @pytest.mark.parametrize("i", [1, 2])
 def test_the_dot_of_nyquist_follows_the_hand_along_its_loops(i: int) -> None:
-    damped = DampedChain(**{name: one for name, one in UNEVEN.items() if name != "view"})
+    chain = {"m1": 2.0, "m2": 1.0, "k1": 4.0, "k2": 2.0, "c1": 0.2, "c2": 0.0}
+    shape = next(one for one, grab in grabs(Forced) if grab.label.endswith(f"loops of mass {i}"))
+
+    def held(omega: float) -> Hand:
+        return Hand(fitted(Forced.at({**chain, "view": "nyquist", "omega": omega})), shape, wide=True, t=0.0)
+
+    damped = DampedChain(**chain)
     slow, fast = damped.chain.modes().omega.tolist()
     every = locus_frequencies([root for root in damped.roots.tolist() if root.imag > 0], fast)[::48]
     way = every[(every > 0.5 * slow) & (every < 1.5 * fast)]
-    places = [held(i, omega).at() or (0.0, 0.0) for omega in way]
-    hand = held(i, way[0])
+    places = [held(omega).at() or (0.0, 0.0) for omega in way]
+    hand = held(way[0])
     hand.take()
     for omega, (x, y) in zip(way, places, strict=True):
         hand.set(hand.move((x, y)))
@@ -156,30 +100,23 @@ def test_the_dot_of_nyquist_follows_the_hand_along_its_loops(i: int) -> None:
     assert hand.scene.values["omega"] > fast, "it has gone round both loops"
 
 
-def drawn_to(told: dict[str, Any]) -> float:
-    """The width of one metre on the stage, although the picture uses the unit of its axis."""
-    axis = told["view"]["axes"]["X1"]
-    return float(told["view"]["scalars"]["metre"] / axis["factor"] / 10.0 ** axis["exponent"])
-
-
 def test_twice_the_force_is_seen_as_twice_the_swing_until_the_stage_has_no_room() -> None:
     page = Page(Absorber())
-    scale = drawn_to(page.opening())
+
+    def metre() -> float:
+        """The width of one metre on the stage, although the picture uses the unit of its axis."""
+        return page.shown.scalars["metre"] * page.shown.axes["X1"].place(1.0)
+
+    scale = metre()
     for force in (250.0, 100.0, 700.0):
-        assert drawn_to(set_values(page, F_0=force)) == pytest.approx(scale), force
-    small = drawn_to(set_values(page, F_0=5e4))
-    assert small < 0.5 * scale
-    assert drawn_to(set_values(page, F_0=700.0)) == pytest.approx(small), "it grows by Fit alone"
-    assert drawn_to(change(page, frame=None)) > 2 * small
-
-
-@pytest.mark.parametrize("values", [{"c": 313.7, "k2": 27.4e3}, {"c": 2000.0}, {"c": 20.0, "omega": 40.0}])
-def test_after_the_time_that_is_told_hardly_anything_is_left_of_the_transient(values: dict[str, float]) -> None:
-    scene = Absorber(**values, damping="added", view="rest", tuning="free")
-    drawn, shown = scene.sources["rest"].data, scene.shown
-    assert np.abs(drawn["x1"]).max() <= 1e-3 * float(shown.values["rest1"]) * 1.005
-    late = drawn["t"] > float(shown.values["dies"].removesuffix(" s"))
-    assert np.all(np.abs(drawn["x1_c"][late]) < 0.02 * np.abs(drawn["x1_c"]).max())
+        set_values(page, F_0=force)
+        assert metre() == pytest.approx(scale), force
+    set_values(page, F_0=5e4)
+    small = metre()
+    set_values(page, F_0=700.0)
+    assert metre() == pytest.approx(small) and small < 0.5 * scale, "it grows by Fit alone"
+    change(page, frame=None)
+    assert metre() > 2 * small
 
 
 @pytest.mark.parametrize("label", ["Below", "Resonant", "Above"])
@@ -230,15 +167,6 @@ def test_den_hartogs_optimum() -> None:
     assert (scene.k2, scene.c) == (pytest.approx(best.k2, rel=5e-4), pytest.approx(best.c, rel=5e-4))
     assert scene.shown.sources["sweep"]["swing"].max() == pytest.approx(best.height * 500.0 / 250e3, rel=5e-3)
     assert scene.shown.values["over_height"] == "0.27 %" and scene.shown.forms["why"] == "damped"
-
-
-def test_a_motion_from_rest_that_cannot_be_drawn_takes_its_view_alone_away() -> None:
-    machine = {"own": True, "m1": 1e130, "k1": 1e-32, "F_0": 1e57, "omega": 1e113, "m2": 1e26, "k2": 1e145}
-    scene = Absorber(**machine, tuning="free")
-    check_picture(scene)
-    assert not scene.sources["rest"].data and len(scene.sources["sweep"].data["w"])
-    with pytest.raises(ValueError, match="outside the range of doubles"):
-        scene.view = "rest"
 
 
 def test_another_number_of_masses_keeps_the_string_or_the_masses() -> None:

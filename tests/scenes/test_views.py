@@ -1,19 +1,27 @@
-"""Views of the scenes: what each shows, sends and links to."""
+"""Views of the scenes: what each shows, sends and links to; and a scene made of a case and its paper."""
 
 import re
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 from msgspec.structs import replace as replace_in
 
-from components.language.blocks import PlotBlock
+from components.language.blocks import Block, PlotBlock
 from components.language.messages import Choose, Open
 from components.language.state import State
-from components.layout.sheet import in_force
+from components.layout.sheet import column, in_force
+from components.layout.stage import line
 from components.layout.views import KEYS, View, shown_blocks
+from components.paper.deferred import Attributes, deferred
+from components.paper.plot_axes import TIME, axis
+from components.paper.plots import Plot, curve, words
 from components.quantities.motion import derived
+from components.scene.case import CaseScene
 from components.scenes import SCENES
+from components.scenes.damped import Damped
+from components.scenes.damped.case import DampedCase, DampedShown
 from components.state.link import read_query
 from components.state.page_state import PageState, changed, fitted, page_state_in, with_values
 from components.state.scene_sheet import scene_sheet
@@ -113,3 +121,44 @@ def test_a_list_of_parts_replaces_the_view_until_a_tab_is_pressed() -> None:
     now = changed(now, Choose(name="view", value="roots"), SCENES)
     assert now.show == ()
     assert "roots" in drawn_on(now) or "locus" in drawn_on(now)
+
+
+value = Attributes(DampedCase)
+X = Plot("x", TIME, axis("m", lambda c: (-1.0, 1.0)))
+
+
+def variant(shown: type[Any], *shapes: Block) -> type[CaseScene]:
+    """The damped scene with another case, and these blocks as its paper."""
+
+    class Variant(Damped):
+        case, paper, views, groups = shown, staticmethod(lambda: column(*shapes)), (), ()
+
+    return Variant
+
+
+def test_an_author_is_told_of_a_number_that_is_none_or_has_a_name_that_is_taken() -> None:
+    broken, quick, doubled = (
+        type("Wrong", (DampedShown,), {name: value(lambda c, n=number: n)})
+        for name, number in (("lost", None), ("speed", 1.0), ("m", 2.0))
+    )
+    with pytest.raises(TypeError, match="lost is None: make it an optional attribute"):
+        variant(broken, X.block(curve(deferred(broken).lost), title="Nothing")).at().picture()
+    with pytest.raises(ValueError, match="Wrong: the page has a live number “speed” of its own: choose another name"):
+        variant(quick)
+    with pytest.raises(TypeError, match="Wrong: m is a parameter: give the attribute another name"):
+        variant(doubled)
+
+
+@pytest.mark.parametrize("order", [(True, False), (False, True)])
+def test_a_picture_does_not_depend_on_papers_built_before_it(order: tuple[bool, bool]) -> None:
+    """Two papers share the time axis; one of them also shows its unit, and a length relative to its end."""
+
+    def timed(uses_time: bool) -> type[CaseScene]:
+        shown = type("Timed", (DampedShown,), {})
+        over = [line(0, 0, 90 * TIME.share, 0)] if uses_time else []
+        text = [words(f"in {TIME.unit_text}")] if uses_time else []
+        return variant(shown, X.block(curve(deferred(shown).x), title="x", over=over), *text)
+
+    shown = {uses: timed(uses).at().shown for uses in order}
+    assert (shown[True].scalars["t_share"], shown[True].values["t_unit"]) == (1 / shown[True].axes["t"].end, "s")
+    assert not shown[False].scalars and not shown[False].values
