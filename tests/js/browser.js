@@ -4,14 +4,21 @@ import {mock} from "node:test"
 
 class FakeElement extends EventTarget {
   children = []
+  classList = {add() {}, contains: () => false, remove() {}}
   dataset = {}
+  style = {}
 
   append = (...children) => void this.children.push(...children)
   prepend = (...children) => void this.children.unshift(...children)
   getAttribute = name => this[name]
   setAttribute = (name, value) => void (this[name] = value)
+  getBoundingClientRect = () => ({left: 0, right: 640, top: 0, bottom: 240})
   getContext = () => ({})
   click() {}
+  closest() {}
+  focus() {}
+  setPointerCapture() {}
+  remove() {}
 }
 
 const page = new EventTarget()
@@ -24,12 +31,19 @@ globalThis.document = Object.assign(new EventTarget(), {
   baseURI: "http://lecture.example/",
   body: new FakeElement(),
   documentElement: new FakeElement(),
+  hidden: false,
   createElement: () => new FakeElement(),
+  createElementNS: () => new FakeElement(),
+  elementsFromPoint: () => [],
 })
 document.documentElement.dataset.version = "1"
+globalThis.getComputedStyle = () => ({fontSize: "16px", getPropertyValue: () => ""})
+globalThis.matchMedia = () => ({matches: false})
+globalThis.requestAnimationFrame = () => {}
 globalThis.ResizeObserver = class {
   observe() {}
 }
+globalThis.SVGTextElement = class {}
 
 /** Install a clock that the test advances from 0; Math.random always returns 0.5. */
 export function clock() {
