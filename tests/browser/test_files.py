@@ -4,7 +4,7 @@ import csv
 import io
 import re
 import zipfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from urllib.parse import unquote
 from xml.etree import ElementTree
@@ -332,14 +332,14 @@ def record(seed: int = 1, head: str = "t (s);x (cm)\n") -> str:
 
 
 @pytest.fixture
-def measured(desk: Page) -> Page:
-    """The view without a file."""
+def measured(desk: Page) -> Iterator[Page]:
+    """The view without a file, which is removed afterwards."""
     turned(desk, "damped", {"view": "measured"})
+    expect(desk.locator(".measured-sentence")).to_be_empty()
+    yield desk
     remove = desk.get_by_role("button", name="Remove")
     if remove.is_visible():
         remove.click()
-    expect(desk.locator(".measured-sentence")).to_be_empty()
-    return desk
 
 
 def shows_fit(page: Page) -> None:
