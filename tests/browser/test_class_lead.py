@@ -198,6 +198,7 @@ def test_a_remote_control_and_another_computer_lead(server: Server, window: Open
         expect(page.get_by_role("heading", name="The class is over.")).to_be_visible()
 
 
+@pytest.mark.slow  # two windows of a class
 def test_who_looks_around_cannot_show_the_step_that_the_lecture_asks(window: Open) -> None:
     lecture, code = taught(window, "walk=d34&step=d34-12")
     own = joined(window, code)

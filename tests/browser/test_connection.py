@@ -181,6 +181,7 @@ def test_a_link_too_long_for_a_server_loses_nothing(page: Page, server: Server) 
     assert page.evaluate("oscillations.messages.state.hidden") == ["x1_slow"]
 
 
+@pytest.mark.slow  # it opens six pages
 def test_what_an_old_browser_lacks_and_a_proxy_refuses_is_named(quiet: Open, browser: Browser, server: Server) -> None:
     page = quiet(java_script_enabled=False)
     page.goto(f"{server.url}?scene=coupled")
