@@ -258,7 +258,11 @@ def test_a_full_queue_stays_as_it_is_and_a_network_has_one_measurement_waiting()
     changed = queue.ask(systems[2], 30.0, ours, "192.0.2.0/24")  # in place of the visitor's own
     for each, one in ((changed, ours), (theirs, again), *reversed(list(zip(jobs, people, strict=True)))):
         queue.leave(each, one)
-    wait(lambda: jobs[0].state == "done")
+    with pytest.raises(ValueError, match="no period"):
+        queue.ask(replace(BENIGN, chain=replace(BENIGN.chain, k1=0.0, k2=0.0)), 1.0, late)
+    job = queue.ask(replace(BENIGN, x_0=(0.0, 0.0), v_0=(0.0, 0.0)), 1.0, late)
+    wait(lambda: job.state == "done")
+    assert job.reason and not job.runs, "nothing moves"
 
 
 @pytest.mark.parametrize(
@@ -301,16 +305,6 @@ def test_a_method_can_be_skipped_unless_others_wait_for_it(two: None) -> None:
     ends = {run.end for run in job.runs if run.method == "verlet"}
     assert ends <= {"", "cancelled"}, "it has not come to an end of its own, such as the time limit"
     assert queue.remembered(job.system, job.seconds) is None, "a measurement without a method is not kept for others"
-
-
-def test_nothing_to_measure() -> None:
-    queue = Measuring(budget=30.0)
-    rest = replace(BENIGN, x_0=(0.0, 0.0), v_0=(0.0, 0.0))
-    job = queue.ask(rest, 1.0, print)
-    wait(lambda: job.state == "done")
-    assert job.reason and not job.runs
-    with pytest.raises(ValueError, match="no period"):
-        queue.ask(replace(BENIGN, chain=replace(BENIGN.chain, k1=0.0, k2=0.0)), 1.0, print)
 
 
 @pytest.mark.nightly

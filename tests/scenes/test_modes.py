@@ -2,7 +2,6 @@
 
 import cmath
 import math
-import re
 
 import numpy as np
 import pytest
@@ -17,10 +16,9 @@ from physics.root_paths import RootPath, Varied
 from tests.grids import tries
 from tests.page.headless_page import Page, say
 from tests.physics.braked_cases import Case, cases, eigenvectors
-from tests.scenes.checks import number, sentences, visible_text
+from tests.scenes.checks import numbers, sentences, visible_text
 
 WAYS: tuple[Varied, ...] = ("c1", "c2", "both")
-NUMBER = r"[−+]?[0-9]+(?:\.[0-9]+)?(?:·10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?"
 PLACES = ("slow", "fast", "third", "fourth")
 
 
@@ -108,8 +106,7 @@ def check_roots(case: Case, scene: ModesScene) -> None:
     for line in told:
         assert ("±" in line) == ("It swings" in line)
         assert ("It does not swing" in line or "critical" in line or "s=0" in line) != ("It swings" in line)
-        for text in re.findall(NUMBER, line.split("s=")[-1].split(" 1/s")[0]):
-            value = abs(number(text))
+        for value in map(abs, numbers(line.split("s=")[-1].split(" 1/s")[0])):
             assert not value or any(math.isclose(value, one, rel_tol=6e-3) for one in sizes), (line, sizes)
 
 

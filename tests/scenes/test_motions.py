@@ -105,23 +105,15 @@ def rate_of_two(s: Any) -> float:
     return float(math.sqrt((s.k1 + 2 * s.k2) / s.m1 + 2 * s.k2 / s.m2) + braked + getattr(s, "omega", 0.0))
 
 
-class Kind(NamedTuple):
-    """The motions of a scene: the source of their curves, their forces, and a bound of their rates in rad/s."""
-
-    source: str
-    laws: Laws
-    rate: Callable[[Any], float]
-
-
-KINDS: dict[str, Kind] = {
-    **{slug: Kind("time", one_mass, rate_of_one) for slug in ("oscillator", "energy", "damped", "driven")},
-    "coupled": Kind("time", two_masses, rate_of_two),
-    "forced": Kind("time", two_masses, rate_of_two),
-    "modes": Kind("path", two_masses, rate_of_two),
-    "chain": Kind("time", many_masses, lambda s: 2 * math.sqrt(s.k / s.m)),
-    "analogues": Kind("time", analogue, lambda s: s.numbers["omega"].value),
-    "phugoid": Kind("path", flight, lambda s: 4 * s.g / s.v_0 * (1 + abs(s.excess))),
+KINDS: dict[str, tuple[str, Laws, Callable[[Any], float]]] = {
+    **{slug: ("time", one_mass, rate_of_one) for slug in ("oscillator", "energy", "damped", "driven")},
+    **{slug: ("time", two_masses, rate_of_two) for slug in ("coupled", "forced")},
+    "modes": ("path", two_masses, rate_of_two),
+    "chain": ("time", many_masses, lambda s: 2 * math.sqrt(s.k / s.m)),
+    "analogues": ("time", analogue, lambda s: s.numbers["omega"].value),
+    "phugoid": ("path", flight, lambda s: 4 * s.g / s.v_0 * (1 + abs(s.excess))),
 }
+"""The motions of a scene: the source of their curves, their forces, and a bound of their rates in rad/s."""
 
 
 def start(s: Any, name: str) -> tuple[float, float] | None:
@@ -178,11 +170,11 @@ class Sampled(NamedTuple):
 
 
 def sampled(scene: Scene) -> Sampled | None:
-    kind = KINDS[scene.slug]
-    trace = scene.shown.traces.get(kind.source)
+    source, _, rate = KINDS[scene.slug]
+    trace = scene.shown.traces.get(source)
     if not trace or scene.values.get("N", 0) > MOST_MASSES:
         return None
-    h = 2.0 ** math.floor(math.log2(SHORT / (kind.rate(scene) or 1 / trace.end)))
+    h = 2.0 ** math.floor(math.log2(SHORT / (rate(scene) or 1 / trace.end)))
     t = h * (INSTANTS[:, None] + np.arange(-3, 4))
     columns = {name: one.reshape(t.shape) for name, one in trace.exact(t.ravel()).items()}
     window, begun = trace.exact(np.linspace(0.0, trace.end, 60)), trace.exact(h * np.arange(7))
@@ -203,7 +195,7 @@ def rounded(one: Sampled) -> dict[str, Moved]:
 
 def check_forces(scene: Scene, one: Sampled) -> int:
     """Check that forces add up to 0 and return the number of comparisons in which rounding hides little."""
-    sharp, t, laws = 0, one.h * INSTANTS, KINDS[scene.slug].laws
+    sharp, t, (_, laws, _) = 0, one.h * INSTANTS, KINDS[scene.slug]
     beside = laws(scene, t, rounded(one))
     for name, terms in laws(scene, t, one.at).items():
         size, rest = sum(map(np.abs, terms)), np.abs(sum(terms))

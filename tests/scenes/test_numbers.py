@@ -258,12 +258,12 @@ scenes = pytest.mark.parametrize("scene", SCENES.values(), ids=SCENES.keys())
 TOLERANCE = 1e-9
 ROOTS = ("slow", "fast", "third", "fourth")
 OTHERWISE = {
-    # test_one_mass
+    # test_single_scenes
     "driven": {"P_in", "P_lost", "on_peak", "strongest", "X_strongest", "misses", "slice_width"},
     "chain": {"E"},  # other than plucked: test_presets
     "modes": {f"{root}_{part}" for root in ROOTS for part in ("rate", "omega", "zeta", "Q", "decay")},  # test_modes
-    "phugoid": {"tau_exact", "late"},  # test_one_mass
-    "absorber": {"help_low", "help_high"},  # tests/physics/test_chain, and test_special_states
+    "phugoid": {"tau_exact", "late"},  # test_single_scenes
+    "absorber": {"help_low", "help_high"},  # tests/physics/test_chain, and test_presets
     "analogues": {"inertia", "stiffness"},  # tests/physics/test_large_motions
     "accuracy": {"drift_euler", "drift_verlet", "drift_rk4", "picked_error", "picked_time", "picked_evaluations"},
 }
