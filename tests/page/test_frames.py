@@ -161,9 +161,8 @@ def test_a_chosen_window_stays_and_another_way_of_showing_fits_what_it_changes_a
     ("slug", "name", "state"),
     [
         ("modes", "x1_0", {"parameters": {"view": "hunt"}}),
+        *(("oscillator", "x_0", {"covered": [cover]}) for cover in ("next", "plot:v")),
         ("oscillator", "x_0", {"step": "d31/d31-01"}),
-        ("oscillator", "x_0", {"covered": ["next"]}),
-        ("oscillator", "x_0", {"covered": ["plot:v"]}),
         ("oscillator", "x_0", {"frame": {"ranges": {"x": [-9.0, 9.0]}, "given": True}}),
     ],
 )

@@ -3,20 +3,17 @@ descriptions of curves for screen readers."""
 
 import json
 import math
-import pkgutil
 from pathlib import Path
 from typing import Any
 
 import msgspec
 import pytest
 
-import components.language
 from components.language.signals import Sine, Sines
 from components.quantities.axes import Axis
 from components.state.encoding import COARSE
 from tests.page.scripts import call, each
 from tests.serving.server import ROOT
-from tools import page_types
 from tools.protocol import FILES
 
 TEXTS = json.loads((ROOT / "tests" / "reference" / "number_texts.json").read_text(encoding="utf-8"))
@@ -99,7 +96,3 @@ def test_lines_through_the_frame_gaps_and_poles_are_described() -> None:
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
 def test_what_is_written_is_current(path: Path) -> None:
     assert path.read_text(encoding="utf-8") == FILES[path](), "make protocol writes it anew"
-
-
-def test_every_module_is_written_of() -> None:
-    assert {module.name for module in pkgutil.iter_modules(components.language.__path__)} == set(page_types.MODULES)

@@ -301,8 +301,7 @@ def test_all_faces_follow_the_scene() -> None:
 
 def test_sliders_have_the_scales_of_the_page() -> None:
     rows = [row for kind in SCENES.values() for group in scene_sheet(kind).panel.groups for row in group.rows]
-    sliders = {(row.scale, row.soft) for row in rows if isinstance(row, SliderRow)}
-    cases = [(scale, i / 37, soft) for scale, soft in sliders for i in range(38)]
+    cases = [(row.scale, i / 37, row.soft) for row in rows if isinstance(row, SliderRow) for i in range(38)]
     values = each("static/controls/scales.sliderValue", cases)
     assert [slider_value(*case) for case in cases] == values
     placed = [(scale, value, soft) for (scale, _, soft), value in zip(cases, values, strict=True)]

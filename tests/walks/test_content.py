@@ -24,7 +24,6 @@ from components.walks.checking import problems, shortcomings
 from components.walks.expressions import numbers_of as scene_numbers
 from components.walks.features import Period
 from components.walks.links import page_state_at
-from components.walks.loading import load_walks, steps_of
 from components.walks.questions.choice import ChoiceStep
 from components.walks.questions.number import NumericStep
 from components.walks.questions.sketch import SketchStep
@@ -43,10 +42,8 @@ from physics.modes import trial_forces
 from physics.oscillator import Oscillator
 from physics.pendulum import amplitude_at_excess, excess
 from physics.phugoid import flight
-from tests.walks.test_walking import heights
+from tests.walks.test_walking import SKETCHES, STEPS, WALKS, heights
 
-WALKS = load_walks(())
-STEPS = steps_of(WALKS.values())
 NUMBER = re.compile(r"(?<![\w.{_^])[−-]?\d+(?:\.\d+)?(?![\w.]*[}])")
 NAME = re.compile(r"(?:(?:[Ss]lides?|[Mm]ass|[Ss]pring|[Rr]ows?) |√)$")
 INDEX = re.compile(r"_(?:\{[^}]*\}|\w)|\{\w+\}|\*")
@@ -192,11 +189,6 @@ WRONG: list[tuple[str, Callable[[Any], Any]]] = [
 ]
 
 
-every_sketch = pytest.mark.parametrize(
-    "step", [step for step in STEPS.values() if isinstance(step, SketchStep)], ids=lambda step: step.id
-)
-
-
 @pytest.mark.parametrize("name", WALKS)
 def test_a_walk_has_neither_problems_nor_shortcomings(name: str) -> None:
     """It opens, everything that it names is there, and no step shows what a later one asks for."""
@@ -255,7 +247,7 @@ DRAWN = 2e-3
 """Of a number, by which one that is read off a drawn curve may be off: a beat turns a little before it swings."""
 
 
-@every_sketch
+@pytest.mark.parametrize("step", SKETCHES, ids=lambda step: step.id)
 def test_a_feature_states_what_the_true_curve_has(step: SketchStep) -> None:
     """To the last written digit; for an expression, to the accuracy of a drawn curve."""
     subject = Subject("", step, SCENES)
@@ -285,7 +277,7 @@ def judged(step: SketchStep, draw: Callable[[Any], Any]) -> tuple[bool | None, s
     return lesson.right, lesson.reply, missed
 
 
-@every_sketch
+@pytest.mark.parametrize("step", SKETCHES, ids=lambda step: step.id)
 def test_a_wrong_sketch_gets_its_reply_and_no_other(step: SketchStep) -> None:
     assert all(wrong.has for wrong in step.wrong)
     sketches = [draw for name, draw in WRONG if name == step.id]

@@ -24,6 +24,7 @@ from tests.page.headless_page import Page, say
 
 WALKS = load_walks(())
 STEPS = steps_of(WALKS.values())
+SKETCHES = [step for step in STEPS.values() if isinstance(step, SketchStep)]
 CARDS = {card.id: (name, card) for name, walk in WALKS.items() for card in walk_sheet(walk, SCENES).steps}
 
 
@@ -125,7 +126,7 @@ def heights(step: SketchStep, curves: dict[str, tuple[Any, Any]] | None = None) 
     return found
 
 
-@pytest.mark.parametrize("step", [s for s in STEPS.values() if isinstance(s, SketchStep)], ids=lambda step: step.id)
+@pytest.mark.parametrize("step", SKETCHES, ids=lambda step: step.id)
 def test_a_sketch_gets_a_reply_on_its_features(page: Page, step: SketchStep) -> None:
     lesson = given(page, step.id, curves=heights(step))["lesson"]
     assert lesson["right"] is True and all(found["has"] for found in lesson["findings"]), lesson["findings"]
