@@ -42,11 +42,11 @@ MUTANTS = (
     ),
     Mutant(
         "pairing", "physics/damped_chain.py", "(real[1], real[2]), (real[0], real[3])",
-        "(real[1], real[0]), (real[2], real[3])", "tests/physics/test_damped_chain.py",
+        "(real[1], real[0]), (real[2], real[3])", "tests/physics/test_two_masses.py",
     ),
     Mutant(
         "no swings", "physics/damped_chain.py", "return _turns(self.exponents[0])", "return None",
-        "tests/physics/test_damped_chain.py",
+        "tests/physics/test_two_masses.py",
     ),
     Mutant(
         "cubic", "physics/forced_vibration.py", "3 * rise - 2 * first - last", "3 * rise - 2 * first + last",

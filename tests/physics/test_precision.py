@@ -16,7 +16,6 @@ from physics.damped import DampedOscillator
 from physics.free_decay import FreeDecay
 from physics.motion import Elementary, Harmonic, constant, harmonic_motion, superposed
 from physics.precision import exact as digits
-from physics.precision.elementary import LARGEST_EXPONENT, SMALLEST_EXPONENT, exponential, sine_cosine
 from physics.precision.roots import mismatch, roots
 from physics.sampling import Sinusoid
 from physics.sinusoids import SLOW, Beat, ExactSinusoid, added, total
@@ -24,37 +23,6 @@ from tests.grids import tries
 from tests.physics.truth import U
 
 thorough = settings(max_examples=tries(200))
-anything = st.floats(-1e100, 1e100).filter(lambda x: x == 0.0 or abs(x) > 1e-100)
-
-
-@thorough
-@given(anything, anything)
-def test_sums_and_products_lose_nothing(a, b):
-    s, e = digits.two_sum(a, b)
-    assert s == a + b and Fraction(s) + Fraction(e) == Fraction(a) + Fraction(b)
-    p, e = digits.two_product(a, b)
-    assert p == a * b and Fraction(p) + Fraction(e) == Fraction(a) * Fraction(b)
-
-
-@thorough
-@given(*[st.floats(0.5, 2.0)] * 2, *[st.floats(-1.0, 1.0)] * 2)
-def test_pairs_carry_100_bits(a, b, a_lo, b_lo):
-    x, y = digits.two_sum(a, a_lo * U / 2), digits.two_sum(b, b_lo * U / 2)
-    exactly = [Fraction(hi) + Fraction(lo) for hi, lo in (x, y)]
-    for (hi, lo), true in ((digits.pair_sum(x, y), sum(exactly)), (digits.pair_product(x, y), math.prod(exactly))):
-        assert abs(Fraction(hi) + Fraction(lo) - true) <= Fraction(2) ** -100 * 4
-    quotient = exactly[0] / exactly[1]
-    assert abs(Fraction(digits.pair_quotient(x, y)) - quotient) <= Fraction(math.ulp(float(quotient))) * 51 / 100
-    assert digits.pair_sum((a, 1e-20), (-a, 3e-20)) == (1e-20 + 3e-20, 0.0), "what cancellation leaves"
-
-
-@pytest.mark.parametrize("text", ["1.5e400", "-2.25e-500", "3", "0.1", "-7e307", "4.9e-324"])
-def test_binary_has_no_bounds(text):
-    hi, lo, exponent = digits.binary(Decimal(text))
-    with digits.precise():
-        back = (Decimal(hi) + Decimal(lo)) * Decimal(2) ** exponent
-        assert 0.5 <= abs(hi) <= 1.0 and abs(back / Decimal(text) - 1) < Decimal("1e-31")
-    assert digits.binary(Decimal(0)) == (0.0, 0.0, 0)
 
 
 def test_digits_that_no_double_has_are_split_rounded_compared_and_told_from_noise():
@@ -71,19 +39,6 @@ def test_digits_that_no_double_has_are_split_rounded_compared_and_told_from_nois
         assert digits.snapped(third * 3) == 1 and digits.snapped(third) == third
 
 
-@pytest.mark.parametrize("size", [1e-300, 1e-8, 0.3, 10.0, 1e5, 1e10, 1e15])
-def test_sine_and_cosine_to_100_bits(size):
-    random = np.random.default_rng(1)
-    near = np.arange(1.0, 1e6, 9331.0) * np.pi
-    theta = np.append(size * random.uniform(-1.0, 1.0, 200), near)
-    rest = np.append(np.spacing(np.abs(theta[:200])) * random.uniform(-0.5, 0.5, 200), np.zeros_like(near))
-    sines, cosines = digits.on_circle(theta, rest)
-    for n in range(theta.size):
-        phase = mp.mpf(theta[n]) + mp.mpf(rest[n])
-        for (hi, lo), true in ((sines, mp.sin(phase)), (cosines, mp.cos(phase))):
-            assert abs(mp.mpf(hi[n]) + mp.mpf(lo[n]) - true) <= 0.1 * U * min(1, 2 * abs(phase) or 1)
-
-
 @thorough
 @given(st.floats(-300.0, 300.0), st.floats(-10.0, 15.0), st.floats(-1.0, 1.0), st.floats(-3.0, 3.0))
 def test_phases_of_any_frequency(exponent, turns, low, phase):
@@ -96,24 +51,6 @@ def test_phases_of_any_frequency(exponent, turns, low, phase):
             true = (mp.mpf(omega) + mp.mpf(lo)) * mp.mpf(s) + mp.mpf(phase)
             assert abs(mp.mpf(sine[n]) - mp.sin(true)) <= 0.6 * U
             assert abs(mp.mpf(cosine[n]) - mp.cos(true)) <= 0.6 * U
-
-
-def pair(hi, part):
-    """hi and a low part below half an ulp of it, as arrays."""
-    return digits.two_sum(np.array([hi]), np.array([part * hi * 2.0**-54]))
-
-
-def value(two):
-    return mp.mpf(two[0][0]) + mp.mpf(two[1][0])
-
-
-@thorough
-@given(st.floats(SMALLEST_EXPONENT, LARGEST_EXPONENT), st.floats(-1e6, 1e6), st.floats(-1.0, 1.0))
-def test_exponential_sine_and_cosine_carry_95_bits(power, angle, part):
-    argument, phase = pair(power, part), pair(angle, part)
-    assert abs(value(exponential(argument)) / mp.exp(value(argument)) - 1) <= mp.mpf(2) ** -95
-    for found, true in zip(sine_cosine(phase), (mp.sin, mp.cos), strict=True):
-        assert abs(value(found) - true(value(phase))) <= mp.mpf(2) ** -95
 
 
 DIGITS = MPContext()

@@ -8,7 +8,6 @@ from html import unescape
 from typing import Any
 from urllib.parse import parse_qs
 
-import mpmath as mp
 import numpy as np
 import param
 from hypothesis import Phase, given, settings
@@ -152,14 +151,6 @@ def harmonics(s: Any, count: int) -> tuple[Any, Any]:
 def modes_of(s: Any) -> Truth:
     """The modes of the masses and springs of a scene, with many digits."""
     return Truth(s.m1, s.m2, s.k1, s.k2)
-
-
-def steady(m1: Any, m2: Any, k1: Any, k2: Any, F_0: Any, omega: Any, c1: Any = 0, c2: Any = 0) -> Any:
-    """X1 and X2 of x_i = Im(X_i exp(i omega t)) from Newton's laws, or None at a resonance."""
-    link, square = k2 + (mp.mpc(0, c2 * omega) if c2 else 0), mp.mpf(omega) ** 2
-    one, two = k1 + link + (mp.mpc(0, c1 * omega) if c1 else 0) - m1 * square, link - m2 * square
-    D = one * two - link**2
-    return (two * F_0 / D, link * F_0 / D) if D else None
 
 
 def power(unit: str, system: System) -> int:

@@ -19,7 +19,8 @@ from physics.coupled import TwoMassChain, free_modes, free_motion
 from physics.damped import DampedOscillator
 from physics.forced import forced_motion
 from tests.grids import sample
-from tests.scenes.checks import SIZES, harmonics, in_any_state, modes_of, number, numbers, said, steady, wordings
+from tests.physics.truth import steady
+from tests.scenes.checks import SIZES, harmonics, in_any_state, modes_of, number, numbers, said, wordings
 
 Check = Callable[[Any, str, str], object]
 ULP = 2.0**-52

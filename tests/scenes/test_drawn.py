@@ -18,7 +18,7 @@ from components.scenes import SCENES
 from components.state.scene_sheet import column_axes, plots
 from tests.page.headless_page import picture_wire
 from tests.page.scripts import played
-from tests.physics.braked_cases import case_of
+from tests.physics.truth import case_of
 from tests.scenes.checks import choices, in_any_state, scaled
 
 pytestmark = pytest.mark.timeout(600)

@@ -15,7 +15,7 @@ from physics.damped_chain import NEAR
 from physics.root_paths import RootPath, Varied
 from tests.grids import tries
 from tests.page.headless_page import Page, say
-from tests.physics.braked_cases import Case, cases, eigenvectors
+from tests.physics.truth import Case, cases, eigenvectors
 from tests.scenes.checks import numbers, sentences, visible_text
 
 WAYS: tuple[Varied, ...] = ("c1", "c2", "both")

@@ -21,7 +21,8 @@ from components.scenes import SCENES
 from physics.analogues import ANALOGUES
 from physics.reference.damped import free_part
 from tests.physics.truth import Truth as Chain
-from tests.scenes.checks import in_any_state, modes_of, steady
+from tests.physics.truth import steady
+from tests.scenes.checks import in_any_state, modes_of
 from tests.states import DECADES
 
 Truth = dict[str, Any]
@@ -264,7 +265,7 @@ OTHERWISE = {
     "modes": {f"{root}_{part}" for root in ROOTS for part in ("rate", "omega", "zeta", "Q", "decay")},  # test_modes
     "phugoid": {"tau_exact", "late"},  # test_single_scenes
     "absorber": {"help_low", "help_high"},  # tests/physics/test_chain, and test_presets
-    "analogues": {"inertia", "stiffness"},  # tests/physics/test_large_motions
+    "analogues": {"inertia", "stiffness"},  # tests/physics/test_one_mass
     "accuracy": {"drift_euler", "drift_verlet", "drift_rk4", "picked_error", "picked_time", "picked_evaluations"},
 }
 """Numbers that other tests compare."""
