@@ -284,6 +284,7 @@ def shown(quiet: Callable[..., Page], framed: Server, tmp_path: Path) -> Iterato
         served.shutdown()
 
 
+@pytest.mark.slow  # it starts a server
 def test_a_frame_reports_its_height_takes_no_focus_and_copies_its_link(shown: Callable[[str], Page]) -> None:
     """If a page may not copy, it shows the link instead."""
     low = FRAME.replace('height="760"', 'height="500"')
