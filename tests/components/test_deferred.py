@@ -58,8 +58,7 @@ def form(name: str, *uses: tuple[object, str]) -> list[str]:
 def test_an_author_is_told_what_cannot_be_written(
     wrong: Callable[[], object], error: type[Exception], says: str
 ) -> None:
-    """A wrong name, a decision before there is a case, a number with two formats, a form with two meanings, a low
-    block."""
+    """A wrong name, a decision before there is a case, a number with two formats, a form with two meanings."""
     either(c.a == 1.0, yes="one", no="others").forms()
     assert f"{c.twice:+}" == r"\val{twice}"
     assert [recorded(of).compute(PointShown(3.0), {}) for of in (c.a == 3.0, c.a != 3.0)] == [True, False]
