@@ -55,6 +55,7 @@ export class Card {
     page.heading.before(this.judgement)
     this.#ask()
     const heard = asks.checkVisibility() ? asks : page.heading
+    scrollTo(0, 0)
     heard.focus({preventScroll: true})
     this.question.plot?.host.scrollIntoView({block: "nearest"}) // after everything has its final position
   }
@@ -108,6 +109,7 @@ export class Card {
     if (this.walk.isTour) this.after.after(this.question.element)
     page.live.find(this.after)
     page.redraw()
+    ;(lesson.right === null ? page.heading : this.judgement).scrollIntoView({block: "nearest"})
     this.ready()
   }
 
@@ -118,7 +120,6 @@ export class Card {
     const sign = mark(right)
     sign.setAttribute("aria-hidden", "true")
     this.judgement.replaceChildren(sign, ` Your answer is ${right ? "right" : "wrong"}.`)
-    if (this.walk.isTour) this.judgement.scrollIntoView({block: "nearest"})
   }
 
   /** Opens the formulas of the step, or closes them. */

@@ -189,6 +189,43 @@ def test_a_phone_has_a_key_for_the_sign_and_a_finger_marks_and_draws(walk: Walk)
     assert page.evaluate("scrollY") == scrolled
 
 
+def test_a_step_is_seen_from_its_start_and_a_phone_held_sideways_has_room_to_draw(walk: Walk) -> None:
+    """After scrolling to the end, the verdict and then the next question are in sight, whatever the size of the page."""
+    page = walk("d34-03", 320, 568, has_touch=True)
+    page.locator("[data-option='0']").tap()
+    page.evaluate("scrollTo(0, 9999)")
+    show(page)
+    expect(page.locator(".judgement")).to_be_in_viewport()
+    page.evaluate("scrollTo(0, 9999)")
+    page.get_by_role("button", name="Next", exact=True).tap()
+    arrived(page, "d34-04")
+    expect(page.locator(".asks")).to_be_in_viewport()
+    page = walk("d34-01", 844, 390, has_touch=True)
+    page.get_by_label("Your answer").fill("2")
+    show(page)
+    expect(page.get_by_role("button", name="Change the sign")).to_be_hidden()
+    assert [fault for fault in looks.faults(page) if "act filled" not in fault] == []
+    page = walk("d34-10", 844, 390, has_touch=True)
+    left, top, wide, high = page.evaluate(FRAME)
+    assert wide > 390 and high > 75 and top + high < 390
+    page.evaluate("oscillations.walks.walk.show(true)")
+    page.wait_for_function(TAUGHT)
+    assert (
+        page.evaluate("""(lines => {
+      document.querySelector(".follows").open = true
+      const {left, top, right, bottom} = lines.getBoundingClientRect()
+      const shares = [...Array(99).keys()].map(i => (i + 1) / 100)
+      return shares.filter(share => !lines.contains(document.elementFromPoint(
+        left + (right - left) * (7 * share % 1), top + (bottom - top) * share))).length
+    })(document.querySelector(".follows .lines"))""")
+        == 0
+    ), "the picture lies over the formulas"
+    page = walk("d34-19", 1280, 720)
+    page.locator("[data-option='0']").click()
+    show(page)
+    assert looks.faults(page) == []
+
+
 def test_the_core_of_a_walk_is_a_shorter_one(walk: Walk) -> None:
     page = walk("d34-02")
     page.get_by_role("button", name="Contents", exact=True).click()
