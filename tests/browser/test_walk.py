@@ -190,7 +190,7 @@ def test_a_phone_has_a_key_for_the_sign_and_a_finger_marks_and_draws(walk: Walk)
 
 
 def test_a_step_is_seen_from_its_start_and_a_phone_held_sideways_has_room_to_draw(walk: Walk) -> None:
-    """After scrolling to the end, the verdict and then the next question are in sight, whatever the size of the page."""
+    """After scrolling to the end, the verdict and then the next question are in sight."""
     page = walk("d34-03", 320, 568, has_touch=True)
     page.locator("[data-option='0']").tap()
     page.evaluate("scrollTo(0, 9999)")
@@ -206,7 +206,7 @@ def test_a_step_is_seen_from_its_start_and_a_phone_held_sideways_has_room_to_dra
     expect(page.get_by_role("button", name="Change the sign")).to_be_hidden()
     assert [fault for fault in looks.faults(page) if "act filled" not in fault] == []
     page = walk("d34-10", 844, 390, has_touch=True)
-    left, top, wide, high = page.evaluate(FRAME)
+    _, top, wide, high = page.evaluate(FRAME)
     assert wide > 390 and high > 75 and top + high < 390
     page.evaluate("oscillations.walks.walk.show(true)")
     page.wait_for_function(TAUGHT)

@@ -205,7 +205,7 @@ def _plane() -> Block:
         curves=tuple(paths),
         heading=(
             term("", "none", "ink", formula=r"\text{roots } s"),
-            phrase("paths", "line", "T", formula=f"their paths, as {Texts.grows}"),
+            phrase("paths", "line", "T", formula=f"paths, as {Texts.grows}"),
             phrase("", "dash", "mute", words="bounds of swinging roots"),
         ),
         room=Room(52, 10, top=8), square=True, shapes=tuple(_shapes()), grow=1, phone=9, height=330,
