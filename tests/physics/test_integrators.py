@@ -282,16 +282,8 @@ def test_only_methods_made_for_friction_enter_with_a_dashpot_and_a_measurement_c
     assert [run.method for run in runs] == ["closed"]
 
 
-@pytest.mark.parametrize(
-    "chain",
-    [
-        (1e300, 1, 1, 1),
-        *(
-            pytest.param(one, marks=pytest.mark.slow)
-            for one in ((1, 1e-300, 1, 1), (1, 1, 1e-250, 1), (1, 1, 1, 1e300))
-        ),
-    ],
-)
+@pytest.mark.slow
+@pytest.mark.parametrize("chain", [(1e300, 1, 1, 1), (1, 1e-300, 1, 1), (1, 1, 1e-250, 1), (1, 1, 1, 1e300)])
 def test_extreme_chains_give_rows_and_never_an_exception(chain):
     m1, m2, k1, k2 = map(float, chain)
     system = System(slug="link", name="?", chain=TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2), x_0=(1.0, 1.0))

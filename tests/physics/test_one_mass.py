@@ -296,6 +296,15 @@ def test_the_spring_along_a_motion_is_that_of_each_place():
     np.testing.assert_allclose(high.at(t), MASS.spring([MASS.delta_st])[0], rtol=1e-14)
 
 
+@pytest.mark.parametrize("c", [0.0, 0.1, 1.9, 2 - 1e-12, 2.0, 2 + 1e-12, 2.1, 50.0, 1e6])
+def test_decays_add_up_to_the_motion(c):
+    oscillator, t = DampedOscillator(m=1.0, c=c, k=1.0), np.linspace(0.0, 40.0, 200)
+    total = np.zeros_like(t)
+    for amplitude, slope, rate, omega, phase in oscillator.decays(0.7, -0.4):
+        total += (amplitude + slope * t) * np.exp(-rate * t) * np.sin(omega * t + phase)
+    assert np.max(np.abs(total - oscillator.motion(0.7, -0.4, t).x)) < 1e-9
+
+
 @settings(max_examples=tries(200))
 @given(log_uniform(-13, 2), log_uniform(-6, -1), log_uniform(1, 6), st.booleans())
 def test_a_curve_over_the_ratio_is_nearly_straight_between_its_points(

@@ -162,7 +162,7 @@ def test_after_a_push_that_does_not_repeat_a_free_motion_is_left(kind: Any, c: f
         push.line(1)
 
 
-ONE = DampedOscillator(m=1.5, c=0.6, k=20.0)
+ONE = DampedOscillator(m=1.5, c=1.2, k=20.0)
 
 
 def sliced(count: int, end: float = 6.0, **start: float) -> SlicedPush:
@@ -196,14 +196,11 @@ def test_what_the_slices_leave_adds_up_to_the_sum() -> None:
     assert sorted(path.x) == sorted(np.concatenate([tail.x for tail in each]))
 
 
-LOSSY = DampedOscillator(m=1.5, c=1.2, k=20.0)
-
-
 @pytest.mark.parametrize("kind", PERIODIC)
 @pytest.mark.parametrize("end", [1.3, 5.0, 11.0])
 def test_at_first_they_are_what_the_last_period_brought(kind: Any, end: float) -> None:
     """In the end both are the work of a cycle."""
-    steady = SteadyMotion(oscillator=LOSSY, push=PeriodicPush(kind=kind, size=3.0, omega=2.0, width=0.3))
+    steady = SteadyMotion(oscillator=ONE, push=PeriodicPush(kind=kind, size=3.0, omega=2.0, width=0.3))
     last = mean_powers(steady, 0.1, 0.0, 60.0, 400)
     assert [last.t[-1], last.P_in[-1], last.P_lost[-1]] == pytest.approx(
         [60.0, *[steady.mass.work / math.pi] * 2], rel=1e-6
@@ -215,13 +212,13 @@ def test_at_first_they_are_what_the_last_period_brought(kind: Any, end: float) -
         last = found.t[i]
         t = np.linspace(max(last - steady.period, 0.0), last, 40001)
         _, v = steady.from_start(0.1, -0.4, t)
-        assert found.P_lost[i] == pytest.approx(np.trapezoid(LOSSY.c * v**2, t) / steady.period, rel=1e-3)
+        assert found.P_lost[i] == pytest.approx(np.trapezoid(ONE.c * v**2, t) / steady.period, rel=1e-3)
         put_in = np.trapezoid(steady.force_at(t) * v, t)
         if kind == "impulses":
             into = np.flatnonzero(np.diff(v) > 1.0)
             assert len(into) == (1 if last >= steady.period else 0)
             put_in = sum(3.0 * (v[n] + v[n + 1]) / 2 for n in into)
-            put_in += 3.0 * (-0.4 + 3.0 / LOSSY.m / 2) if last < steady.period else 0.0
+            put_in += 3.0 * (-0.4 + 3.0 / ONE.m / 2) if last < steady.period else 0.0
         assert found.P_in[i] * steady.period == pytest.approx(put_in, rel=2e-3, abs=2e-3)
 
 

@@ -15,7 +15,6 @@ from contextlib import contextmanager
 from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 from subprocess import PIPE
-from types import SimpleNamespace
 from urllib.request import urlopen
 from zipfile import ZipFile
 
@@ -25,7 +24,6 @@ from packaging.requirements import Requirement
 from components.scenes.accuracy.measuring import LIVE
 from physics.integrators.accuracy import SYSTEMS
 from physics.integrators.accuracy_worker import encoded_system
-from tests.browser.fixtures import pytest_ignore_collect
 from tests.serving.server import ROOT, START, Server, free_port, serving
 from tests.serving.visitor import Visitor, ask, token_of
 from tools.cut import cut
@@ -58,13 +56,6 @@ def copied(recipe: str = DOCKERFILE) -> list[str]:
     """Return the files of the project that the Dockerfile copies."""
     lines = re.findall(r"^COPY (?!--from)(.*)$", recipe, re.M)
     return [source for line in lines for source in line.split()[:-1]]
-
-
-def test_a_run_skips_modules_without_a_test_for_it() -> None:
-    modules = list((ROOT / "tests").rglob("test_*.py"))
-    runs = [SimpleNamespace(option=SimpleNamespace(markexpr=of)) for of in ("browser and slow", "not browser")]
-    page, plain = ({path for path in modules if not pytest_ignore_collect(path, run)} for run in runs)
-    assert page | plain == set(modules) and page & plain and page - plain and plain - page
 
 
 # Requirements
