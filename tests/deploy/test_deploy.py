@@ -17,10 +17,7 @@ from tests.serving.visitor import ask
 from tools.deploy.site import DeployedSite, deployed, upgraded
 from tools.deploy.trials import trial
 
-SLOW = (
-    b"GET / HTTP/1.1\r\nHost: x\r\nX-Slow: ",
-    b"POST /class HTTP/1.1\r\nHost: x\r\nContent-Length: 999\r\n\r\n",
-)
+SLOW = (b"GET / HTTP/1.1\r\nHost: x\r\nX-Slow: ", b"POST /class HTTP/1.1\r\nHost: x\r\nContent-Length: 999\r\n\r\n")
 """Requests that come byte by byte. The proxy drops them, but not a stream of a class."""
 
 

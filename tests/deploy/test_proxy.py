@@ -1,13 +1,13 @@
-"""The proxy of compose.yaml, with one replica and with none; the examples for Kubernetes and nginx."""
+"""The proxy of compose.yaml, with one replica and with none; the example for Kubernetes."""
 
 import hmac
 import json
+import os
 import re
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
-from textwrap import dedent
 from typing import Any
 
 import pytest
@@ -17,11 +17,11 @@ from components.serving.assets import assets
 from components.serving.headers import SAFE
 from components.serving.server import ENDING
 from components.serving.settings import KNOWN, misspelt, read_settings
-from tests.deploy.health import health_check
 from tests.serving.server import ROOT, Server, free_port, serving
 from tests.serving.visitor import ask
 from tools.deploy.site import COOKIE_SECRET, DeployedSite, behind_caddy, caddy, deployed
 
+COMPOSE: dict[str, Any] = yaml.safe_load((ROOT / "compose.yaml").read_text(encoding="utf-8"))
 ASSET = f"/assets/{next(iter(assets()))}"
 
 
@@ -43,6 +43,35 @@ def test_pages_of_the_proxy_and_of_the_lecture_have_the_same_safety_headers(site
     assert page.headers["Set-Cookie"].startswith(f"replica={written};")
     assert (file.status, "Set-Cookie" in file.headers) == (200, False)
     assert "immutable" in file.headers["Cache-Control"]
+
+
+NC = """#!{python}
+import socket, sys
+with socket.create_connection((sys.argv[3], int(sys.argv[4])), float(sys.argv[2])) as peer:
+    peer.sendall(sys.stdin.buffer.read())
+    while got := peer.recv(4096):
+        sys.stdout.buffer.write(got)
+"""
+"""The part of nc that the checks use: nc -w SECONDS HOST PORT."""
+
+
+def health_check(folder: Path, service: str, instead: Mapping[str, str] | None = None) -> Callable[[int, int], int]:
+    """Return a function that runs a service's health check at another port, with other paths, for its exit code."""
+    kind, command = COMPOSE["services"][service]["healthcheck"]["test"]
+    assert kind == "CMD-SHELL"
+    for name, other in (instead or {}).items():
+        assert name in command
+        command = command.replace(name, other)
+    (nc := folder / "nc").write_text(NC.format(python=sys.executable))
+    nc.chmod(0o755)
+    environment = {**os.environ, "PATH": f"{folder}{os.pathsep}{os.environ['PATH']}"}
+
+    def run(port: int, other: int) -> int:
+        assert f"127.0.0.1 {port} " in command
+        there = command.replace("$$", "$").replace(f"127.0.0.1 {port} ", f"127.0.0.1 {other} ")
+        return subprocess.run(["sh", "-c", there], env=environment, stderr=subprocess.DEVNULL).returncode
+
+    return run
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no sh here")
@@ -70,39 +99,30 @@ def test_hsts_is_sent_except_on_localhost_where_it_would_cover_all_ports() -> No
             held.append(part["match"])
         return part
 
-    json.loads(adapted.stdout, object_hook=note)
-    assert len(held) == 2  # the lecture's pages, and the proxy's own pages
-    assert all(match == [{"not": [{"host": ["localhost", "127.0.0.1", "::1"]}], "protocol": "https"}] for match in held)
+    json.loads(adapted.stdout, object_hook=note)  # of the lecture's pages, and of the proxy's own
+    assert held == [[{"not": [{"host": ["localhost", "127.0.0.1", "::1"]}], "protocol": "https"}]] * 2
 
 
 PAGE = (ROOT / "docs" / "deployment.md").read_text(encoding="utf-8")
 DOCKERFILE = (ROOT / "Dockerfile").read_text(encoding="utf-8")
-COMPOSE: dict[str, Any] = yaml.safe_load((ROOT / "compose.yaml").read_text(encoding="utf-8"))
 OBJECTS: list[dict[str, Any]] = list(yaml.safe_load_all((ROOT / "docs" / "kubernetes.yaml").read_text("utf-8")))
 
 
-def named(kind: str) -> dict[str, dict[str, Any]]:
-    return {one["metadata"]["name"]: one["spec"] for one in OBJECTS if one["kind"] == kind}
-
-
-DEPLOYED, SERVICES = named("Deployment"), named("Service")
-PODS: dict[str, dict[str, Any]] = {name: spec["template"]["spec"] for name, spec in DEPLOYED.items()}
-CONTAINERS: dict[str, dict[str, Any]] = {name: pod["containers"][0] for name, pod in PODS.items()}
-LECTURE, STORE = CONTAINERS["lecture"], CONTAINERS["store"]
-RULE = named("Ingress")["lecture"]["rules"][0]
+SPECS: dict[tuple[str, str], Any] = {(one["kind"], one["metadata"]["name"]): one.get("spec") for one in OBJECTS}
+PODS: dict[str, Any] = {name: SPECS["Deployment", name]["template"]["spec"] for name in ("lecture", "store")}
+LECTURE, STORE = (pod["containers"][0] for pod in PODS.values())
+RULE = SPECS["Ingress", "lecture"]["rules"][0]
 
 
 def test_the_pods_agree_with_their_services_the_image_and_compose() -> None:
     for name, pod in PODS.items():
-        container, selector = CONTAINERS[name], DEPLOYED[name]["selector"]["matchLabels"]
-        assert selector.items() <= DEPLOYED[name]["template"]["metadata"]["labels"].items()
-        assert SERVICES[name]["selector"] == selector
-        assert {port["targetPort"] for port in SERVICES[name]["ports"]} <= {port["name"] for port in container["ports"]}
-        assert {one["name"] for one in container["volumeMounts"]} == {one["name"] for one in pod["volumes"]}
+        service, labels = SPECS["Service", name], SPECS["Deployment", name]["template"]["metadata"]["labels"]
+        assert service["selector"].items() <= labels.items()
+        assert {port["targetPort"] for port in service["ports"]} <= {
+            port["name"] for port in pod["containers"][0]["ports"]
+        }
         (secret,) = (volume["secret"] for volume in pod["volumes"] if "secret" in volume)
         assert f"kubectl create secret generic {secret['secretName']} " in PAGE and secret["defaultMode"] == 0o440
-    backend = RULE["http"]["paths"][0]["backend"]["service"]
-    assert backend["port"]["name"] in {port["name"] for port in SERVICES[backend["name"]]["ports"]}
     assert str(PODS["lecture"]["securityContext"]["runAsUser"]) == re.findall(r"--uid (\d+)", DOCKERFILE)[0]
     (port,) = LECTURE["ports"]
     assert f"EXPOSE {port['containerPort']}\n" in DOCKERFILE and f"PORT={port['containerPort']} " in DOCKERFILE
@@ -131,21 +151,3 @@ def test_probes_are_answered_at_the_address_of_a_pod(server: Server) -> None:
     for kind, path in (("startup", "/liveness"), ("liveness", "/liveness"), ("readiness", "/readiness")):
         assert LECTURE[f"{kind}Probe"]["httpGet"] == {"path": path, "port": "http"}
         assert ask(server.url, path, Host="10.244.1.7:5006", User_Agent="kube-probe/1.34").status == 200
-
-
-OWN = {"host", "http_upgrade", "proxy_add_x_forwarded_for", "request_id"}
-"""Variables that nginx defines."""
-
-
-def test_the_recipe_for_nginx_defines_its_variables_and_sets_the_cookies_it_reads() -> None:
-    section = PAGE.partition("\n## Behind nginx\n")[2].partition("\n## ")[0]
-    (block,) = (part for part in re.split(r"\n(?=\S)", section) if "proxy_pass" in part and "server {" in part)
-    text = re.sub(r"#.*", "", dedent(block[block.index("    map") :]))
-    defined = set(re.findall(r"^map \S+ \$(\w+) \{", text, re.M))
-    used = set(re.findall(r"\$([a-z]\w+)", text))
-    cookies = {name.removeprefix("cookie_") for name in used if name.startswith("cookie_")}
-    assert used - defined - OWN == {f"cookie_{name}" for name in cookies} and len(defined) == 3
-    assert cookies == set(re.findall(r'default "(\w+)=', text)) == {"replica"}
-    assert text.count("{") == text.count("}") > 5
-    assert [line for line in map(str.strip, text.splitlines()) if line and line[-1] not in ";{}"] == []
-    assert not re.search(r"listen [^;]*\b(http2|spdy)\b|^\s*ssl on;", text, re.M), "deprecated"

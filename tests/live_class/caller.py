@@ -69,6 +69,12 @@ async def called(*given: Any, **more: Any) -> Answered:
     return await asyncio.to_thread(call, *given, **more)
 
 
+def events_of(url: str, code: str, word: str) -> bytes:
+    """Return the request for a stream."""
+    host = urlsplit(url).netloc
+    return f"GET /class/{code}/events HTTP/1.1\r\nHost: {host}\r\nAuthorization: Bearer {word}\r\n\r\n".encode()
+
+
 class Stream:
     """The events of a class. `heard` has those read so far."""
 
@@ -86,8 +92,7 @@ class Stream:
     async def open(cls, url: str, code: str, word: str) -> Stream:
         host = urlsplit(url)
         reader, writer = await asyncio.open_connection(host.hostname, host.port, limit=2**20)
-        lines = f"GET /class/{code}/events HTTP/1.1", f"Host: {host.netloc}", f"Authorization: Bearer {word}"
-        writer.write("\r\n".join([*lines, "", ""]).encode())
+        writer.write(events_of(url, code, word))
         stream = cls(reader, writer, word)
         await until(lambda: stream.headers)
         return stream
@@ -229,11 +234,8 @@ class Remote:
         """The instructor's page admits or refuses it."""
         return await self.lesson.ask("tickets", method, {"digits": digits or self.digits})
 
-    async def look(self, after: str = "") -> Answered:
-        return await self.lesson.ask(f"remote?after={after}", word=self.key)
-
-    async def press(self, **done: str) -> Answered:
-        return await self.lesson.ask("remote", "POST", done, self.key)
+    async def ask(self, path: str = "remote", method: str = "GET", **done: str) -> Answered:
+        return await self.lesson.ask(path, method, done or None, self.key)
 
 
 MINE = 'title = "{}"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'

@@ -49,7 +49,7 @@ def asked_in(name: str) -> Asked:
 
 
 class AnyClass(RuleBasedStateMachine):
-    """A class at two replicas. Another class, which has an answer, stays as it is."""
+    """A class at two replicas."""
 
     def __init__(self, url: str) -> None:
         super().__init__()
@@ -70,10 +70,6 @@ class AnyClass(RuleBasedStateMachine):
         self.tasks = [asyncio.create_task(self.listen(at)) for at in (0, 1)]
         await asyncio.gather(*(one.wait() for one in self.told))
         self.code, self.key = await self.registries[0].open()
-        other = await self.registries[1].led(*await self.registries[1].open())
-        await self.registries[1].obey(other, said.PutQuestion(walk="d31", step="d31-03"))
-        await self.registries[1].vote(other, "one", Given(walk="d31", step="d31-03", option=1))
-        self.other, self.others = other.code, await contents(self.store, other.code)
         await self.enter()
 
     async def listen(self, at: int) -> None:
@@ -296,7 +292,7 @@ class AnyClass(RuleBasedStateMachine):
             self.patch.undo()
 
     async def end(self) -> None:
-        """At the end, nothing of the class is left, nobody comes in again, and the other class has lost nothing."""
+        """At the end, nothing of the class is left, and nobody comes in again."""
         (registry, second), room = self.registries, self.rooms[0]
         await registry.obey(room, said.EndRoom())
         await self.settle()
@@ -307,7 +303,6 @@ class AnyClass(RuleBasedStateMachine):
         for work in (registry.obey(room, said.Withdraw()), second.reopen(self.code, self.key), *followed):
             with pytest.raises(ClosedError, match=r"class is over\.$"):
                 await work
-        assert await contents(self.store, self.other) == self.others
 
     # what holds at any time
 

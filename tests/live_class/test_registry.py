@@ -6,19 +6,20 @@ import asyncio
 import sys
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager
+from operator import itemgetter
 from time import time
 from typing import Any
+from unittest.mock import AsyncMock, Mock
 
 import msgspec
 import pytest
 
 from components.language.class_messages import HandWalk, Moderate, PutQuestion, RunClock, SentPicture
 from components.language.messages import Given
-from components.live_class import moderation, publisher, question_bank, remotes
+from components.live_class import moderation, question_bank, remotes
 from components.live_class import registry as registry_of
 from components.live_class import upkeep as upkeeps
 from components.live_class.moderation import Moderation
-from components.live_class.publisher import Publisher
 from components.live_class.registry import ClosedError, Registry
 from components.live_class.remotes import begun, decided, is_in, new_digits, waits
 from components.live_class.room import ClassRoom
@@ -26,11 +27,8 @@ from components.live_class.slices import Turns
 from components.live_class.store import FullError, MemoryStore, Parts, Store, UnreachableError
 from components.live_class.upkeep import Upkeep
 from components.live_class.votes_csv import cell, votes_csv
-from components.scenes import SCENES
-from components.session.session import Session
-from components.state.page_state import fitted
 from components.walks.loading import read_walk
-from components.walks.questions.question import Judged, Written
+from components.walks.questions.question import Written
 from components.walks.questions.sketch import SketchStep
 from tests.grids import WHOLE, sample
 from tests.live_class.caller import until
@@ -44,7 +42,7 @@ CLOCK_PART = msgspec.json.encode(CLOCK)
 class Wayward(MemoryStore):
     """A store that can become unreachable; `meanwhile` runs between its look-up of a class and its answer."""
 
-    away, refused = False, 0
+    away = False
     meanwhile: Callable[[], Awaitable[object]] | None = None
 
     async def parts(self, code: str) -> Parts:
@@ -61,7 +59,6 @@ class Wayward(MemoryStore):
 
     def _check(self) -> None:
         if self.away:
-            self.refused += 1
             raise UnreachableError("away")
 
 
@@ -119,56 +116,27 @@ async def test_a_look_at_the_store_brings_nothing_older_back_and_the_store_gets_
         assert room.question.step == CHOICE["step"] and b'"d31-03"' in (await store.parts(room.code))["question"]
 
 
-async def test_who_leads_again_and_leaves_asks_a_store_that_is_away_no_more(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(publisher, "AGAIN", 0.001)
-    store = Wayward()
-    async with kept(store) as (registry, _, key, room, _):
-        code, session = registry.rooms.pop(room.code).code, Session(fitted(SCENES["coupled"]().value))
-        session.lead = lambda *given: Publisher(registry, *given)
-        store.away, before = True, len(asyncio.all_tasks())
-        for number in range(50):
-            session.handle({"type": "lead", "code": code, "key": key, "number": number})
-            await asyncio.sleep(0)
-        assert len(asyncio.all_tasks()) - before <= 2  # the last picture, and the one before it, which is being sent
-        await until(lambda: store.refused > 60)
-        session.close()
-        await asyncio.sleep(0.01)
-        assert len(asyncio.all_tasks()) == before
-        store.away = False
-        await asyncio.sleep(0.01)
-        assert not registry.rooms
-
-
 async def test_a_store_that_cannot_be_used_as_it_should_is_logged_once(
     quick: None, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
-    """It has news of another version, stays away, has another time, or is full."""
-    asked, listen, refused = 0, Wayward.listen, list[object]()
+    """It stays away, has news of another version, has another time, or is full."""
+    store = Wayward()
+    listen, away, full = store.listen, iter(range(5)), AsyncMock(side_effect=FullError("The store is full."))
 
-    async def listened(own: Wayward, receive: Any, ready: Callable[[], None]) -> None:
-        nonlocal asked
-        asked += 1
-        if asked < 5:
+    async def listened(receive: Any, ready: Callable[[], None]) -> None:
+        if next(away, None) is not None:
             raise UnreachableError("away") from OSError("no route to it")
-        await listen(own, receive, ready)
+        await listen(receive, ready)
 
-    async def behind(_: Wayward) -> float:
-        return time() - 3.0
-
-    async def full(*given: object) -> int:
-        refused.append(given)
-        raise FullError("The store is full.")
-
-    monkeypatch.setattr(Wayward, "listen", listened)
-    async with kept(store := Wayward()) as (_, upkeep, _, room, _):
+    monkeypatch.setattr(store, "listen", listened)
+    async with kept(store) as (_, upkeep, _, room, _):
         await store.publish(room.code, {"clock": b'{"type":"another version"}'})
         await store.publish(room.code, {"clock": CLOCK_PART})
         await until(lambda: upkeep.rooms == 1)
         assert room.whole().clock == CLOCK and abs(upkeep.skew) < 0.1
-        monkeypatch.setattr(Wayward, "time", behind)
-        monkeypatch.setattr(Wayward, "present", full)
-        await until(lambda: upkeep.skew > 2.9 and len(refused) > 9)
-    assert upkeep.skew == pytest.approx(3.0, abs=0.1)
+        monkeypatch.setattr(store, "time", AsyncMock(side_effect=lambda: time() - 3.0))
+        monkeypatch.setattr(store, "present", full)
+        await until(lambda: upkeep.skew > 2.9 and full.call_count > 9)
     for said in ("could not be read", "is away: no route to it", "is back after", "clock is +3.0 s off", "is full."):
         assert caplog.text.count(said) == 1, said
 
@@ -206,9 +174,8 @@ def test_no_spreadsheet_works_a_cell_out() -> None:
 def test_phones_that_wait_are_asked_for_for_a_minute_by_different_digits(monkeypatch: pytest.MonkeyPatch) -> None:
     room, leader, follower = ClassRoom("K7HM", {}), Listener(leads=True), Listener()
     room.listeners |= {leader, follower}
-    room.deliver(begun("47", "one"))
-    room.deliver(begun("12", "two"))
-    assert room.whole(leads=True).remotes == ("12", "47") and room.whole().remotes is None
+    for digits, key in (("47", "one"), ("12", "two")):
+        room.deliver(begun(digits, key))
     room.deliver(decided(room.parts, "12", is_in=True))
     assert is_in(room.parts, "two") and not is_in(room.parts, "one") and waits(room.parts, "one")
     number = room.number
@@ -219,10 +186,10 @@ def test_phones_that_wait_are_asked_for_for_a_minute_by_different_digits(monkeyp
     for digits in ("12", "47", "99"):
         with pytest.raises(ValueError, match="No remote control with"):
             decided(room.parts, digits, is_in=True)
-    all_but_one = {f"{n}" for n in range(10, 100)} - {"47"}
-    assert new_digits(all_but_one) == "47"
+    taken = {f"{n}" for n in range(10, 100)}
+    assert new_digits(taken - {"47"}) == "47"
     with pytest.raises(ValueError, match="Too many remote controls"):
-        new_digits(all_but_one | {"47"})
+        new_digits(taken)
 
 
 async def test_a_walk_is_read_once_and_limits_of_walks_and_words_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -259,53 +226,40 @@ MOST_WORK = 20_000
 """Function calls in one turn of the event loop: a few milliseconds."""
 
 
-@asynccontextmanager
-async def calls_by_turn() -> AsyncIterator[list[int]]:
-    """Count the function calls of this thread in each turn of its event loop."""
-    calls = [0]
-
-    def count(frame: object, event: str, of: object) -> None:
-        calls[-1] += event in ("call", "c_call")
+@pytest.mark.parametrize(
+    "asked",
+    sample([{**SKETCH, **drawn(500)}, {**NUMBER, "text": "7"}, {**CHOICE, "option": 1}]),
+    ids=itemgetter("step"),
+)
+async def test_no_number_of_answers_holds_the_event_loop(
+    asked: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    store, calls, write = MemoryStore(size=2**30), [0], Mock(return_value=Written("drawn"))
+    monkeypatch.setattr(SketchStep, "written", write)
 
     async def turn() -> None:
         while True:
             calls.append(0)
             await asyncio.sleep(0)
 
-    turning = asyncio.create_task(turn())
-    sys.setprofile(count)
-    try:
-        yield calls
-    finally:
-        sys.setprofile(None)
-        turning.cancel()
+    def count(frame: object, event: str, of: object) -> None:
+        calls[-1] += event in ("call", "c_call")
 
-
-@pytest.mark.parametrize(
-    "asked",
-    sample([{**SKETCH, **drawn(500)}, {**NUMBER, "text": "7"}, {**CHOICE, "option": 1}]),
-    ids=lambda one: one["step"],
-)
-async def test_no_number_of_answers_holds_the_event_loop(
-    asked: dict[str, Any], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    written = list[Judged]()
-
-    def write(step: SketchStep, given: Judged, subject: object) -> Written:
-        written.append(given)
-        return Written("drawn")
-
-    monkeypatch.setattr(SketchStep, "written", write)
-    kept = MemoryStore(size=2**30)
-    async with taught(kept) as (_, _, lesson):
-        await fill(lesson, kept, asked, votes=3 if WHOLE else 1)
+    async with taught(store) as (_, _, lesson):
+        await fill(lesson, store, asked, votes=3 if WHOLE else 1)
+        turning = asyncio.create_task(turn())
         for path in READ:
-            async with calls_by_turn() as calls:
+            calls[:] = [0]
+            sys.setprofile(count)
+            try:
                 replied = await lesson.ask(path.format(**asked))
+            finally:
+                sys.setprofile(None)
             assert (replied.status == 200 and str(ANSWERS) in replied.text) or len(replied.text) > 100 * ANSWERS
             assert max(calls) < MOST_WORK
-            assert path == "answers.csv" or not written  # sketches are not encoded if nobody reads them
-            written.clear()
+            assert path == "answers.csv" or not write.called  # sketches are not encoded if nobody reads them
+            write.reset_mock()
+        turning.cancel()
 
 
 async def test_one_costly_request_of_a_network_is_answered_at_a_time() -> None:

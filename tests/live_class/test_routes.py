@@ -8,11 +8,10 @@ import re
 import socket
 import time
 from csv import DictReader
-from typing import Any
 
 import pytest
 
-from components.live_class import follower_routes, instructor_routes, lead_routes, registry
+from components.live_class import follower_routes, instructor_routes, lead_routes
 from components.live_class import registry as registries
 from components.live_class import room as rooms
 from components.live_class.codes import Keys, code_of, join_key
@@ -20,8 +19,8 @@ from components.live_class.room import name_of
 from components.serving import worker_process
 from components.serving.shell import version
 from components.serving.worker_process import ReadingProcess
-from tests.live_class.caller import Answered, Class, Remote, Stream, called, until
-from tests.live_class.questions import CHOICE, OWN
+from tests.live_class.caller import Answered, Class, Remote, Stream, called, events_of, until
+from tests.live_class.questions import CHOICE, NUMBER, OWN
 from tests.live_class.served import Valkey, made, served, taught
 from tests.page.scripts import text_of
 from tests.serving.visitor import Visitor
@@ -56,16 +55,18 @@ async def test_a_follower_learns_what_is_said_of_its_answer_when_it_is_shown_and
         token = await lesson.token()
         for option in (1, 0):
             await lesson.voted(token, **CHOICE, option=option)
-
-        async def shown(**answer: Any) -> Answered:
-            return await lesson.ask("answer", "POST", {**CHOICE, **answer}, token)
-
-        assert (await shown(option=1))[:2] == (204, "")  # not shown yet, or taken back before the phone knows
+        early = await lesson.ask("answer", "POST", {**CHOICE, "option": 1}, token)
+        assert early[:2] == (204, "")  # not shown yet, or taken back before the phone knows
         await lesson.order("show")
-        assert (await shown(step="d31-02", text="2")).status == 204  # nothing is sent for another question
-        assert (await shown(option=7)).status == 400
-        reply = (await shown(option=1)).json
-        assert reply["type"] == "taught" and reply["lesson"]["right"] is False
+        # Nothing is sent for another question.
+        for answer, status in (
+            ({**NUMBER, "text": "2"}, 204),
+            ({**CHOICE, "option": 7}, 400),
+            ({**CHOICE, "option": 1}, 200),
+        ):
+            reply = await lesson.ask("answer", "POST", answer, token)
+            assert reply.status == status
+        assert reply.json["type"] == "taught" and reply.json["lesson"]["right"] is False
         table = await lesson.ask("answers.csv")
         assert table.headers["Content-Type"] == "text/csv; charset=utf-8"
         (row,) = DictReader(table.text.splitlines())
@@ -125,33 +126,33 @@ async def test_a_remote_control_is_let_in_by_its_digits_and_has_the_answer_and_n
         remote = Remote(lesson, **(await lesson.ask("remote", "PUT", secret, word="")).json)
         assert (await lesson.ask("remote", "PUT", secret, word="")).status == 403
         assert (await leader.until(lambda event: event.get("remotes")))["remotes"] == [remote.digits]
-        assert (await remote.look()).json is None and (await remote.press(deed="next")).status == 403
+        assert (await remote.ask()).json is None and (await remote.ask(method="POST", deed="next")).status == 403
         assert (await remote.decide(digits="10" if remote.digits != "10" else "11")).status == 409
         assert (await remote.decide()).json["control"]
         other = await Remote.wait(lesson)
         assert other and (await other.decide("DELETE")).status == 204
-        refused = await other.look()
+        refused = await other.ask()
         assert refused.status == 403 and refused.json["sentence"].startswith("The lecturer's screen has not")
         for name, text in (("noted", noted), ("why", OWN["why"])):
             await lesson.order("walk", name=name, text=text)
         await lesson.order("put", walk="noted", step="one")
-        view = (await remote.look()).json
+        view = (await remote.ask()).json
         assert view["question"]["lesson"] is None
         assert [one["right"] for one in view["lesson"]["verdicts"]] == [True, False, False]
         assert view["notes"] == ['Show the <span class="v">real</span> spring.', "Then wait."]
-        assert (await remote.look(view["number"])).status == 204
-        for asked, given in (({"walk": "d31", "step": "d31-02"}, "2"), ({"walk": "why", "step": "why"}, "secret")):
+        assert (await remote.ask(f"remote?after={view['number']}")).status == 204
+        for asked, given in ((NUMBER, "2"), ({"walk": "why", "step": "why"}, "secret")):
             await lesson.order("put", **asked)
             await lesson.voted(await lesson.token(), **asked, text=given)
-            now = (await remote.look()).json["tally"]["now"]
+            now = (await remote.ask()).json["tally"]["now"]
             assert now["answered"] == 1 and now["numbers"] == []  # none of them single
-        assert [one["step"] for one in (await lesson.ask("steps", word=remote.key)).json] == ["why", "vote"]
+        assert [one["step"] for one in (await remote.ask("steps")).json] == ["why", "vote"]
         for done in ({"deed": "next"}, {"deed": "go", "step": "vote"}):
-            assert (await remote.press(**done)).status == 204
+            assert (await remote.ask(method="POST", **done)).status == 204
             await leader.until(lambda event, done=done: done.items() <= event.items())
         for deed, words in (("allow", [True]), ("remove", [])):
-            assert (await remote.press(deed=deed, text="secret")).status == 204
-            assert [one["shown"] for one in (await remote.look()).json["tally"]["now"]["words"]] == words
+            assert (await remote.ask(method="POST", deed=deed, text="secret")).status == 204
+            assert [one["shown"] for one in (await remote.ask()).json["tally"]["now"]["words"]] == words
         await lesson.order("show")
         await stream.until(lambda event: event.get("question", {}).get("split"))
         assert not any("real" in str(event) or "secret" in str(event) for event in stream.heard)
@@ -160,22 +161,26 @@ async def test_a_remote_control_is_let_in_by_its_digits_and_has_the_answer_and_n
 async def test_another_computer_leads_with_a_word_that_is_good_once() -> None:
     async with taught() as (_, url, lesson):
         other, link = await Class.open(url), {"query": "scene=coupled&k2=3", "shown": {"d31/d31-03": 2}}
-        addresses = [(await lesson.ask("word", "POST", link)).json["address"].rpartition("/")[2]]
 
-        async def take(word: str, of: Class = lesson) -> Answered:
-            return await of.ask("word", "PUT", {"word": word}, word="")
+        async def new_word() -> str:
+            return str((await lesson.ask("word", "POST", link)).json["address"].rpartition("/")[2])
 
-        moved, word = await called(url, f"/{addresses[0].lower()}"), addresses[0].rpartition("-")[2]
-        assert (moved.status, moved.headers["Location"]) == (302, f"./?class={lesson.code}&lead={word}")
-        taken = (await take(word.lower())).json
+        async def take(address: str, of: Class = lesson) -> Answered:
+            return await of.ask("word", "PUT", {"word": address.rpartition("-")[2]}, word="")
+
+        used = await new_word()
+        moved = await called(url, f"/{used.lower()}")
+        assert (moved.status, moved.headers["Location"]) == (
+            302,
+            f"./?class={lesson.code}&lead={used.rpartition('-')[2]}",
+        )
+        taken = (await take(used.lower())).json
         assert taken["key"] == lesson.key and link.items() <= taken.items()
-        for _ in range(2):
-            addresses.append((await lesson.ask("word", "POST", link)).json["address"])
-        words = [address.rpartition("-")[2] for address in addresses]
-        for of, one in ((lesson, words[0]), (lesson, words[1]), (other, words[2])):
-            refused = await take(one, of)  # used, replaced, of another class
+        replaced, good = await new_word(), await new_word()
+        for of, word in ((lesson, used), (lesson, replaced), (other, good)):
+            refused = await take(word, of)
             assert (refused.status, refused.json["sentence"]) == (403, lead_routes.NO_WORD)
-        assert (await take(words[2])).status == 200  # a wrong code does not use it up
+        assert (await take(good)).status == 200  # a wrong code does not use it up
 
 
 @pytest.mark.parametrize("public", ["", "https://lecture.example/osc/"])
@@ -214,7 +219,7 @@ async def test_a_class_is_opened_with_the_instructors_passphrase_where_there_is_
 
 
 SECRET = "a secret of these tests alone"
-COPIES = f"answers?question={CHOICE['walk']}/{CHOICE['step']}/1"
+COPIES = "answers?question=d31/d31-03/1"
 
 
 async def reopened(url: str, code: str, key: str) -> Answered:
@@ -269,7 +274,7 @@ async def test_answers_given_back_are_those_of_phones(monkeypatch: pytest.Monkey
     """A server with a secret knows its names even after a restart; otherwise it accepts what connected phones could
     send. Answers that fit no question do not count.
     """
-    monkeypatch.setattr(registry, "SPARE", 2)
+    monkeypatch.setattr(registries, "SPARE", 2)
     async with taught(bokeh_secret_key=SECRET) as (_, url, lesson):
         own = {(await lesson.token()).partition(".")[0]: {**CHOICE, "option": i} for i in range(8)}
     async with served(bokeh_secret_key=f"{SECRET}, another") as (_, url):
@@ -287,16 +292,6 @@ async def test_answers_given_back_are_those_of_phones(monkeypatch: pytest.Monkey
         assert (await lesson.tally())["now"]["options"] == [1, 1 + 2, 1]
 
 
-def unread(lesson: Class, port: int, word: str) -> socket.socket:
-    """Open a stream that nobody reads."""
-    mute = socket.socket()
-    mute.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
-    mute.connect(("127.0.0.1", port))
-    head = f"GET /class/{lesson.code}/events HTTP/1.1\r\nHost: 127.0.0.1\r\nAuthorization: Bearer {word}\r\n\r\n"
-    mute.sendall(head.encode())
-    return mute
-
-
 def picture(sheet: object) -> dict[str, bytes]:
     return {"picture": b'{"sheet":"%s","data":"%s"}' % (str(sheet).encode(), b"A" * 4000)}
 
@@ -307,7 +302,10 @@ async def test_who_reads_slowly_gets_the_latest_picture_and_each_deed_once_and_w
 ) -> None:
     async with taught() as (server, _, lesson):
         quick, word = await lesson.follow(), lesson.key if leads else await lesson.token()
-        slow, room = unread(lesson, server.port, word), server.classes.registry.rooms[lesson.code]
+        room, slow = server.classes.registry.rooms[lesson.code], socket.socket()  # a stream that nobody reads
+        slow.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+        slow.connect(("127.0.0.1", server.port))
+        slow.sendall(events_of(lesson.url, lesson.code, word))
         await until(lambda: room.is_led if leads else room.followers == 2)
         room.deliver({"deed": b'"back"'})
         for i in range(400):
@@ -358,15 +356,14 @@ async def test_a_storm_of_streams_takes_no_places_and_a_phone_at_two_replicas_is
 
 async def test_a_vote_is_of_somebody_who_follows_or_was_here_a_moment_ago(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(rooms, "SILENCE", 0.05)
-    async with taught() as (server, url, lesson):
-        token, registry = await lesson.token(), server.classes.registry
-        stream = await Stream.open(url, lesson.code, token)
-        early = await lesson.vote(token, **CHOICE, option=0)  # before its question is restored
-        assert early.status == 503 and "no question yet" in early.json["sentence"]
-        await lesson.order("put", **CHOICE)
-        stranger = (await lesson.ask("token", "POST", word="")).json["token"]
-        refused = await lesson.vote(stranger, **CHOICE, option=0)
-        assert refused.status == 503 and refused.json["sentence"].startswith("This phone does not follow")
+    async with taught() as (server, _, lesson):
+        stream, registry = await lesson.follow(), server.classes.registry
+        token, stranger = stream.word, (await lesson.ask("token", "POST", word="")).json["token"]
+        # The first one is sent before its question is restored.
+        for word, sentence in ((token, "The class has no question yet"), (stranger, "This phone does not follow")):
+            refused = await lesson.vote(word, **CHOICE, option=0)
+            assert refused.status == 503 and refused.json["sentence"].startswith(sentence)
+            await lesson.order("put", **CHOICE)
         await asyncio.sleep(0.2)
         await lesson.voted(token, **CHOICE, option=0)
         await stream.close()
@@ -381,13 +378,11 @@ async def test_one_client_does_not_fill_a_vote(monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setattr(registries, "SPARE", 2)
     async with taught() as (server, _, lesson):
         await lesson.order("put", **CHOICE)
-        early, late, room = await lesson.token(), await lesson.token(), server.classes.registry.rooms[lesson.code]
-        await lesson.voted(early, **CHOICE, option=1)
-        for _ in range(10):  # joins, votes and leaves
+        late, room = await lesson.token(), server.classes.registry.rooms[lesson.code]
+        for option in (1, *[0] * 10):  # joins, votes and leaves or falls asleep
             token = await lesson.token()
-            await lesson.voted(token, **CHOICE, option=0)
+            await lesson.voted(token, **CHOICE, option=option)
             del room.polls[name_of(token)]
-        del room.polls[name_of(early)]  # a sleeping phone
         await lesson.voted(late, **CHOICE, option=2)
         now = (await lesson.tally())["now"]
         assert now["answered"] <= 2 + 2 * 3 and now["options"][1:] == [1, 1]

@@ -3,8 +3,8 @@
 import asyncio
 import time
 from collections import defaultdict
-from collections.abc import Awaitable
-from contextlib import suppress
+from collections.abc import AsyncIterator, Awaitable
+from contextlib import AsyncExitStack, asynccontextmanager, suppress
 from typing import Any
 
 import pytest
@@ -19,8 +19,6 @@ from tests.live_class.caller import until
 from tests.live_class.served import Valkey, contents, made, set_limits
 
 LIMITS = {"rooms": 3, "size": 2500, "counts": 1}
-
-
 CODES = ("AAAA", "BBBB", "CCCC", "DDDD")
 CODE, QUESTION, VOTER = st.sampled_from(CODES), st.sampled_from("qr"), st.sampled_from(["one", "two", "three"])
 BYTES = st.sampled_from([b"", b"1", b"x" * 300, b"x" * 900])
@@ -48,13 +46,8 @@ DONE = st.one_of(*(st.lists(st.one_of(*deeds), min_size=20, max_size=50) for dee
 BEGUN = (
     *(("open", "AAAA", {"key": b"3"}), ("open", "BBBB", GREEDY), ("open", "CCCC", GREEDY)),
     *(("vote", "BBBB", "q", "one", b"x" * 900), ("vote", "AAAA", "r", "one", b"x" * 900)),
-    *(
-        ("vote", "AAAA", "q", "one", b"1"),
-        ("wait", 0.45),
-        ("count", "m", 6.0, 1),
-        ("wait", 5.6),
-        ("count", "m", 6.0, 0),
-    ),
+    *(("vote", "AAAA", "q", "one", b"1"), ("wait", 0.45), ("count", "m", 6.0, 1)),
+    *(("wait", 5.6), ("count", "m", 6.0, 0)),
 )
 
 
@@ -77,22 +70,24 @@ def test_both_stores_do_the_same_and_nothing_to_other_classes(running: Valkey, d
         set_limits(patch, 6000, 1000)
         for module in (store, shared_store):
             patch.setattr(module, "QUIET", 3.0)
-        now, heard, times = 1.7e9, {"memory": list[Any](), "valkey": list[Any]()}, defaultdict[str, list[float]](list)
+        now, times = 1.7e9, defaultdict[str, list[float]](list)
         async with (
             made("", clock=lambda: now, **LIMITS) as memory,
             made(running.emptied().url, clock=lambda: now, **LIMITS) as shared,
+            AsyncExitStack() as listeners,
         ):
-            both = {"memory": memory, "valkey": shared}
-            listening, left = [await listens(kept, heard[kind]) for kind, kept in both.items()], list[Any]()
-            for kept in both.values():
-                await ended(await listens(kept, left))
+            both, heard, left = (memory, shared), (list[Any](), list[Any]()), list[Any]()
+            for kept, news in zip(both, heard, strict=True):
+                await listeners.enter_async_context(listening(kept, news))
+                async with listening(kept, left):
+                    """It gets nothing later."""
             for name, *rest in (*BEGUN, *done):
                 now += 0.001  # no two classes are equally quiet
                 if name == "wait":
                     now += rest[0] if now < 1.7e9 + 20 else 0.0  # later, who follows is not known any more
                     continue
                 before = {code: await everything(memory, code) for code in CODES if code not in rest[:1]}
-                first, second = [await outcome(getattr(kept, name)(*rest)) for kept in both.values()]
+                first, second = [await outcome(getattr(kept, name)(*rest)) for kept in both]
                 if name == "present":  # a shared store notes only now and then that a class is followed
                     assert await memory.keep(rest[0], {}) == await shared.keep(rest[0], {})
                 changed = [code for code, one in before.items() if one != await everything(memory, code)]
@@ -102,34 +97,33 @@ def test_both_stores_do_the_same_and_nothing_to_other_classes(running: Valkey, d
                     least, most = (sum(at > now - span for at in times[rest[0]]) for span in (6.0, 6.51))
                     assert least <= first <= most
             assert [await everything(memory, one) for one in CODES] == [await everything(shared, one) for one in CODES]
-            for kept in both.values():
+            for kept in both:
                 await kept.publish("over", {})
-            await until(lambda: all(("over", {}) in one for one in heard.values()))
-            assert heard["memory"] == heard["valkey"] and left == [], "former listeners get nothing"
-            await asyncio.gather(*map(ended, listening))
-            for kept in both.values():
                 assert abs(await kept.time() - time.time()) < 5
+            await until(lambda: all(("over", {}) in one for one in heard))
+            assert heard[0] == heard[1] and left == [], "former listeners get nothing"
 
     with pytest.MonkeyPatch.context() as patch:
         asyncio.run(go(patch))
 
 
-async def listens(kept: Store, heard: list[Any]) -> asyncio.Task[None]:
+@asynccontextmanager
+async def listening(kept: Store, heard: list[Any]) -> AsyncIterator[asyncio.Task[None]]:
     ready = asyncio.Event()
     task = asyncio.create_task(kept.listen(lambda code, parts: heard.append((code, dict(parts))), ready.set))
     await asyncio.wait_for(ready.wait(), 30)
-    return task
-
-
-async def ended(task: asyncio.Task[None]) -> None:
+    yield task
     task.cancel()
     await asyncio.gather(task, return_exceptions=True)
+
+
+ROOMS = ("LEDX", "FOLL", "ALON")
 
 
 async def test_a_room_lives_as_long_as_it_is_led_and_for_some_time_while_it_is_followed(url: str) -> None:
     now = time.time()
     async with made(url, life=2.0, alone=1.0, clock=lambda: now) as kept:
-        for code in ("LEDX", "FOLL", "ALON"):
+        for code in ROOMS:
             assert await kept.open(code, {"key": b"1"}) and await kept.vote(code, "q", "one", b"1")
         await kept.lend("name", b"key", b"short", 0.2)
         assert await kept.count("name", 60) == 1
@@ -141,11 +135,11 @@ async def test_a_room_lives_as_long_as_it_is_led_and_for_some_time_while_it_is_f
             assert await kept.keep("LEDX", {})
             await kept.present("FOLL", "here", {"a phone"})  # followers do not show that the instructor is there
             await kept.present("ALON", "here", ())
-            ended += [code for code in ("LEDX", "FOLL", "ALON") if code not in ended and not await kept.parts(code)]
+            ended += [code for code in ROOMS if code not in ended and not await kept.parts(code)]
         assert ended == ["ALON", "FOLL"] and await kept.rooms() == 1
         assert await kept.take("name", b"key") == b"" and await kept.count("name", 60) == 2
-        for code, is_there in {"LEDX": True, "FOLL": False, "ALON": False}.items():
-            assert bool(await kept.votes(code, "q")) is await kept.vote(code, "q", "two", b"1") is is_there
+        for code in ROOMS:
+            assert bool(await kept.votes(code, "q")) is await kept.vote(code, "q", "two", b"1") is (code == "LEDX")
 
 
 async def test_a_room_has_so_many_bytes_of_answers_and_removed_ones_make_place(url: str) -> None:
@@ -201,9 +195,8 @@ async def test_a_store_that_is_away_or_falls_silent_is_noticed_and_one_that_has_
         for work in (away.parts("K7HM"), away.listen(lambda code, parts: None, lambda: None)):
             with pytest.raises(UnreachableError):
                 await work
-    async with made(valkey.url) as kept:
-        listening = await listens(kept, [])
+    async with made(valkey.url) as kept, listening(kept, []) as task:
         await asyncio.sleep(0.3)
-        assert not listening.done()
+        assert not task.done()
         with valkey.silent(), pytest.raises(UnreachableError):
-            await asyncio.wait_for(listening, 30)
+            await asyncio.wait_for(task, 30)

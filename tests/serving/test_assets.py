@@ -87,25 +87,24 @@ def test_lengths_grow_with_the_text_and_lines_with_their_drawing() -> None:
     assert in_text_sizes(sheet) == grown
 
 
-def arrivals(server: Server) -> float:
-    (found,) = re.findall(r"^oscillations_arrivals_total (\S+)$", ask(server.url, "/metrics").text, re.M)
-    return float(found)
+@pytest.mark.parametrize(
+    ("query", "opens"),
+    [
+        *((query, False) for query in ("", "?theme=dark", "?scene=pendulum", "?scene=coupled&scene=forced")),
+        *((query, True) for query in ("?scene=coupled", "?k2=3", "?walk=d34&step=d34-02", "in a frame")),
+    ],
+)
+def test_a_link_that_opens_no_scene_shows_the_start_page_and_takes_no_place(
+    query: str, opens: bool, server: Server
+) -> None:
+    def arrivals() -> float:
+        return float(re.findall(r"^oscillations_arrivals_total (\S+)$", ask(server.url, "/metrics").text, re.M)[0])
 
-
-@pytest.mark.parametrize("query", ["", "?theme=dark", "?scene=pendulum", "?scene=coupled&scene=forced"])
-def test_a_link_that_opens_no_scene_shows_the_start_page_and_takes_no_place(query: str, server: Server) -> None:
-    before = arrivals(server)
-    page = ask(server.url, f"/{query}")
-    assert page.status == 200 and arrivals(server) == before
-    assert len(re.findall('class="scene-card"', page.text)) == len(SCENES)
-    assert page.headers["Cache-Control"] == "no-cache"
-
-
-@pytest.mark.parametrize("query", ["?scene=coupled", "?k2=3", "?walk=d34&step=d34-02", "in a frame"])
-def test_any_other_link_and_a_frame_open_a_scene(query: str, server: Server) -> None:
-    before = arrivals(server)
+    before = arrivals()
     page = ask(server.url, Sec_Fetch_Dest="iframe") if query == "in a frame" else ask(server.url, f"/{query}")
-    assert 'id="opening"' in page.text and arrivals(server) == before + 1
+    assert page.status == 200 and arrivals() == before + opens and ('id="opening"' in page.text) is opens
+    assert opens or len(re.findall('class="scene-card"', page.text)) == len(SCENES)
+    assert opens or page.headers["Cache-Control"] == "no-cache"
 
 
 def test_walks_are_listed_and_an_unknown_scene_is_named_in_a_sentence() -> None:
@@ -146,28 +145,18 @@ def test_a_scene_needs_nothing_that_its_page_does_not_allow(
 COUPLED = "/data.csv?scene=coupled&k2=3"
 
 
-def link_table(query: str) -> bytes:
-    return link_file(as_arguments(query), "http://here/", SCENES, NO_WALKS).content
-
-
-def files_of(query: str) -> dict[str, bytes]:
-    """Return the files that a page saves, by the names of their tables."""
-    now = visited(as_arguments(query), NO_WALKS).now
-    file = as_file(now.asked, now.to_send[0], "http://here/")
-    if file.kind == "text/csv":
-        return {"": file.content}
-    with zipfile.ZipFile(io.BytesIO(file.content)) as packed:
-        prefix = f"{now.kind.slug}-"
-        return {name.removeprefix(prefix).removesuffix(".csv"): packed.read(name) for name in packed.namelist()}
-
-
 @pytest.mark.parametrize("slug", sample([*SCENES], 3))
 def test_every_table_is_that_of_take_away(slug: str) -> None:
-    query = f"scene={slug}"
-    files = files_of(query)
-    assert link_table(query) == next(iter(files.values()))
-    for name, content in files.items():
-        assert link_table(f"{query}&table={name}") == content
+    now = visited(as_arguments(f"scene={slug}"), NO_WALKS).now
+    file = as_file(now.asked, now.to_send[0], "http://here/")
+    files = {"": file.content}
+    if file.kind != "text/csv":
+        with zipfile.ZipFile(io.BytesIO(file.content)) as packed:
+            files = {f"&table={name[len(slug) + 1 : -4]}": packed.read(name) for name in packed.namelist()}
+        files[""] = next(iter(files.values()))
+    for query, content in files.items():
+        asked = as_arguments(f"scene={slug}{query}")
+        assert link_file(asked, "http://here/", SCENES, NO_WALKS).content == content
 
 
 def test_pandas_reads_the_numbers_of_an_address_and_the_file_says_where_it_is_from(server: Server) -> None:
@@ -191,8 +180,6 @@ def test_pandas_reads_the_numbers_of_an_address_and_the_file_says_where_it_is_fr
         ("scene=coupled&table=more", "“more” is not a table of these numbers: choose one of time, modes."),
         ("scene=coupled&cover=plot:nothing", "“plot:nothing” cannot be covered here."),
         ("scene=oscillator&m=1e308&k=1e308&x_0=1e308&v_0=1e308", "The link"),
-        ("scene=driven&omega=1e150", "takes more digits of arithmetic than are allowed"),
-        ("scene=oscillator&m=5e-324&x_0=0", "The motion does not fit this time window"),
     ],
 )
 def test_what_cannot_be_is_refused_in_a_sentence(server: Server, query: str, sentence: str) -> None:

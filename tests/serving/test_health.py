@@ -21,8 +21,8 @@ from tests.serving.visitor import Caller, Visitor, ask, said
 async def figures(server: Serving) -> dict[str, float]:
     families = text_string_to_metric_families((await page_of(server, "/metrics")).text)
     samples = [sample for family in families for sample in family.samples if "le" not in sample.labels]
-    names = [f"{one.name} {one.labels.get('what', '')}".strip().removeprefix("oscillations_") for one in samples]
-    return {name: one.value for name, one in zip(names, samples, strict=True)}
+    names = (f"{one.name} {one.labels.get('what', '')}".strip().removeprefix("oscillations_") for one in samples)
+    return dict(zip(names, (one.value for one in samples), strict=True))
 
 
 async def test_figures_count_what_happens() -> None:

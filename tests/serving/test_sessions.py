@@ -6,6 +6,7 @@ import re
 from html import unescape
 from socket import IPPROTO_TCP, TCP_NODELAY
 from time import thread_time
+from unittest.mock import Mock
 
 import pytest
 from bokeh.document import Document
@@ -45,9 +46,8 @@ def test_who_came_first_is_let_in_first_and_nobody_passes_the_line() -> None:
     assert house.knock(one) == (0, "") and house.knock(two) == (1, two)
     house.now = FORGOTTEN - 1
     _, three = house.knock()
-    house.now = FORGOTTEN
-    assert house.knock(three) == (1, three), "those who ask no more have given up their places"
-    assert house.knock(two)[0] == 2
+    house.now = FORGOTTEN  # the others ask no more, and have given up their places
+    assert house.knock(three) == (1, three) and house.knock(two)[0] == 2
 
 
 def test_networks_take_turns_for_our_tickets_and_the_line_has_an_end(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -119,14 +119,11 @@ async def test_a_waiting_visitor_gets_a_page_without_a_session_and_keeps_the_lin
 @pytest.mark.parametrize(
     ("peer", "forwarded", "found"),
     [
-        ("203.0.113.9", "", "203.0.113.9"),
         ("203.0.113.9", "198.51.100.1", "203.0.113.9"),
-        ("10.0.0.2", "198.51.100.1", "198.51.100.1"),
-        ("10.0.0.2", "192.0.2.66, 198.51.100.1", "198.51.100.1"),
         ("10.0.0.2", "192.0.2.66, 198.51.100.1, 10.0.0.3", "198.51.100.1"),
         ("fd00::1", "2001:db8::7", "2001:db8::7"),
         ("10.0.0.2", "", "10.0.0.2"),
-        ("10.0.0.2", "unknown", "10.0.0.2"),
+        ("10.0.0.2", "192.0.2.66, unknown", "10.0.0.2"),
         ("10.0.0.2", "10.0.0.4, 10.0.0.3", "10.0.0.4"),
     ],
 )
@@ -197,10 +194,6 @@ PULL = (header("PULL-DOC-REQ"), "{}", "{}")
 WORD = "the word that is for the log"
 
 
-def fail(_: object) -> None:
-    raise ArithmeticError(WORD)
-
-
 async def test_a_token_opens_its_session_on_every_server_with_the_secret() -> None:
     async with served(bokeh_secret_key=SECRET) as first, served(bokeh_secret_key=SECRET) as second, served() as other:
         token = token_of((await page_of(first, "/?scene=coupled&k2=7")).text)
@@ -219,25 +212,20 @@ async def test_a_token_opens_its_session_on_every_server_with_the_secret() -> No
 async def test_what_fails_for_one_visitor_is_said_in_a_sentence_logged_once_and_leaves_no_document_to_others(
     caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def broken(document: Document) -> None:
-        open_page(document)
-        fail(document)
+    fail = Mock(side_effect=ArithmeticError(WORD))
 
     def failing(document: Document) -> None:
         open_page(document)
-        document.on_event("document_ready", fail)
-
-    async def fails(*_: object) -> None:
-        fail(None)
+        document.on_event("document_ready", lambda _: fail())
 
     before = len(_PATCHED_CURDOCS)
-    async with served(broken, bokeh_secret_key=SECRET) as server, served(failing, bokeh_secret_key=SECRET) as sound:
+    async with served(fail, bokeh_secret_key=SECRET) as server, served(failing, bokeh_secret_key=SECRET) as sound:
         page = await page_of(server)
         assert page.status == 500 and page.quiet and WORD not in page.text
         assert "Something went wrong on the server" in page.text
         caller = await Caller.connect(url(server), token_of((await page_of(sound)).text))
         assert (await caller.closed())[0] == 1011 and WORD in caplog.text
-        monkeypatch.setattr(ServerSession, "pull", fails)
+        monkeypatch.setattr(ServerSession, "pull", fail)
         for message, code in ((patch(event("document_ready")), 1011), (said(None, model="p0"), 1008), (PULL, 1011)):
             caplog.clear()
             caller = await Caller.arrive(url(sound))
@@ -283,19 +271,15 @@ async def test_a_page_has_one_socket_which_delays_no_answer() -> None:
         await second.depart()
 
 
-async def busy(seconds: float) -> None:
-    end = thread_time() + seconds
-    while thread_time() < end:
-        pass
-
-
 async def test_nobody_pays_for_what_another_asks_for_meanwhile() -> None:
-    async def patient() -> None:
-        await busy(0.01)
+    async def busy(seconds: float) -> None:
+        end = thread_time() + seconds
+        while thread_time() < end:
+            pass
         await asyncio.sleep(0.01)
         await asyncio.sleep(0)
 
     other = asyncio.create_task(busy(0.2))
-    took = await metered(patient())
+    took = await metered(busy(0.01))
     await other
     assert 0.01 <= took < 0.1

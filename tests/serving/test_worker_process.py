@@ -1,10 +1,9 @@
 """The worker process: one job at a time, one second of CPU each, networks in turn, and failing jobs."""
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from concurrent.futures import Future
 from contextlib import closing
-from functools import partial
 from threading import Event
 
 import msgspec
@@ -31,9 +30,6 @@ ASLEEP, SLOW_FIT = Reading("asleep", MINE), Fitting([], [[]], 1, 0)
 GREEDY, CALM = "192.0.2.0/24", "198.51.100.0/24"
 
 
-# The process
-
-
 @pytest.mark.slow
 def test_the_system_ends_a_job_that_uses_more_than_its_time(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(own, "PATIENCE", 100.0)  # for a second of CPU on a busy machine
@@ -52,9 +48,6 @@ def hangs(asked: WorkerJob, walks: Walks, scenes: Scenes) -> Replied:
 def test_a_process_that_cannot_start_is_named() -> None:
     with closing(ReadingProcess("tests.serving.no_such_module")) as beside:
         assert beside.ask(READ).result(120).refused == own.GONE
-
-
-# The line of jobs, with a fake process
 
 
 GATE, BEGAN = Event(), Event()
@@ -99,11 +92,11 @@ def worker(monkeypatch: pytest.MonkeyPatch) -> Iterator[ReadingProcess]:
         GATE.set()
 
 
-def begun(worker: ReadingProcess, job: WorkerJob, network: str = "") -> Future[Replied]:
-    """Ask for a job, and return when the process has it, so that all later jobs wait."""
-    reply = worker.ask(job, network)
+def asked_after(worker: ReadingProcess, job: WorkerJob, networks: Sequence[str]) -> list[Future[Replied]]:
+    """Ask for a job of the first network and, when the process has it, for the reading of a walk of each other one."""
+    replies = [worker.ask(job, networks[0])]
     assert BEGAN.wait(60)
-    return reply
+    return [*replies, *(worker.ask(READ, network) for network in networks[1:])]
 
 
 def results(*asked: Future[Replied]) -> list[str]:
@@ -122,26 +115,21 @@ def test_a_job_that_takes_too_long_is_refused_in_words_and_the_next_is_done(
 
 
 def test_a_bounded_number_waits_and_a_waiting_job_can_be_cancelled(worker: ReadingProcess) -> None:
-    asked = [begun(worker, READ), *(worker.ask(READ) for _ in range(own.WAITING + 3))]
+    asked = asked_after(worker, READ, [""] * (own.WAITING + 4))
     assert asked.pop(1).cancel()
     GATE.set()
     assert results(*asked) == ["read"] * own.WAITING + [own.BUSY] * 3 and worker.pending == 0
 
 
 def test_networks_take_turns(worker: ReadingProcess) -> None:
-    done: list[str] = []
-
-    def note(network: str, reply: Future[Replied]) -> None:
-        if not reply.result().is_busy:
-            done.append(network)
-
-    networks = [*[GREEDY] * (own.OF_A_NETWORK + 4), CALM, "", CALM]
-    asked = [begun(worker, ENDLESS, GREEDY), *(worker.ask(READ, network) for network in networks[1:])]
-    for network, one in zip(networks, asked, strict=True):
-        one.add_done_callback(partial(note, network))
+    done, networks = list[Future[Replied]](), [*[GREEDY] * (own.OF_A_NETWORK + 4), CALM, "", CALM]
+    asked = asked_after(worker, ENDLESS, networks)
+    for one in asked:
+        one.add_done_callback(done.append)
     GATE.set()
     assert results(*asked) == [own.WALK_TOO_LONG, *["read"] * own.OF_A_NETWORK, *[own.SHARED] * 3, *["read"] * 3]
-    assert done[:5] == [GREEDY, CALM, "", GREEDY, CALM]
+    order = [networks[asked.index(one)] for one in done if not one.result().is_busy]
+    assert order[:5] == [GREEDY, CALM, "", GREEDY, CALM]
 
 
 def test_a_network_that_has_used_its_time_is_refused_for_a_while(

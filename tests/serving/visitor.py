@@ -16,14 +16,13 @@ from tornado.httpclient import HTTPClientError, HTTPError, HTTPRequest
 from tornado.websocket import WebSocketClientConnection, WebSocketClosedError, websocket_connect
 
 from components.session.panel_bridge import FROM_SERVER
-from tests.live_class.caller import PATIENCE, call
+from tests.live_class.caller import PATIENCE
+from tests.live_class.caller import call as ask
 from tests.page.scripts import text_of
 
 LEFT = "the server closed the session"
 USUAL: dict[str, bytes] = {}
 """The preset dictionary of each sheet, which the visitors of a process fetch once."""
-
-ask = call
 
 
 def token_of(page: str) -> str:

@@ -14,7 +14,7 @@ import redis
 import yaml
 
 from components.serving.settings import HINTS, KNOWN, misspelt, read_settings
-from tests.deploy.health import health_check
+from tests.deploy.test_proxy import health_check
 from tests.live_class.served import valkey_binary
 from tests.serving.server import ROOT, free_port, serving
 
