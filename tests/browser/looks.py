@@ -263,14 +263,29 @@ ORDER = r"""() => {
 }"""
 """Parts of which one is above the other, or left of it in the same line, but later in the document."""
 
-TICKS = """() => oscillations.plots.filter(({host}) => host.checkVisibility()).flatMap(plot => {
-  const bare = text => text.replaceAll(" ", "")
-  return [...plot.labels.scale.children].filter(number => !plot.y.ticks.some((tick, i) =>
-    bare(plot.y.labels[i]) === bare(number.textContent) &&
-    Math.abs(number.getAttribute("y") - plot.py(tick)) < 5
-  )).map(number => `not at its tick: ${number.textContent} of ${plot.block.name}`)
-})"""
-"""Numbers away from their ticks."""
+TWICE = """() => {
+  const names = [...document.querySelectorAll("button, [role=slider], input")]
+    .filter(one => one.checkVisibility() && !one.closest(".seg"))
+    .map(one => `${one.localName} ${one.type ?? ""} ${one.getAttribute("aria-label") ?? one.textContent.trim()}`)
+  const ordered = document.querySelectorAll("[tabindex]:not([tabindex='0'], [tabindex='-1'])")
+  return [...names.filter((name, i) => names.indexOf(name) !== i).map(name => `two have the name ${name}`),
+    ...[...ordered].map(one => `tabindex of ${one.className}`)]
+}"""
+"""Names that two things to press have, except the words of a choice, which its group names."""
+
+TICKS = """() => [
+  ...oscillations.plots.filter(({host}) => host.checkVisibility()).flatMap(plot => {
+    const bare = text => text.replaceAll(" ", "")
+    return [...plot.labels.scale.children].filter(number => !plot.y.ticks.some((tick, i) =>
+      bare(plot.y.labels[i]) === bare(number.textContent) &&
+      Math.abs(number.getAttribute("y") - plot.py(tick)) < 5
+    )).map(number => `not at its tick: ${number.textContent} of ${plot.block.name}`)
+  }),
+  ...[...document.querySelectorAll("svg *")].filter(one =>
+    [...one.attributes].some(attribute => /NaN|undefined|Infinity/.test(attribute.value)))
+    .map(one => `not a number: ${one.outerHTML.slice(0, 80)}`),
+]"""
+"""Numbers away from their ticks, drawings without numbers."""
 
 LOST = """() => {
   const style = document.head.appendChild(document.createElement("style"))
@@ -342,6 +357,31 @@ PANEL = """() => {
   return innerHeight >= 700 && scrollHeight > clientHeight ? [`the panel is ${scrollHeight} px high`] : []
 }"""
 """The folded panel of a scene as it opens is visible, too."""
+FIRST = """([names, screens, room]) => {
+  const most = screens * innerHeight + room
+  const seen = one => one?.checkVisibility()
+  const hosts = [...oscillations.page.sheet.hosts].map(([{part}, host]) => [part, host])
+    .filter(([part]) => names.includes(part))
+  const keys = [...document.querySelectorAll(".keys-of-view:not([hidden]) > :not(h2, [hidden])")]
+    .map(host => ["keys", host]).filter(() => names.includes("keys") || screens > 1)
+  const below = [...hosts, ...keys].filter(([, host]) =>
+    !seen(host) || Math.round(host.getBoundingClientRect().bottom + scrollY) > most)
+  const missing = names.filter(name => ![...hosts, ...keys].some(([part]) => part === name))
+  const task = [...document.querySelectorAll(".view-task")].find(seen)
+  const {lineHeight, paddingTop, paddingBottom} = getComputedStyle(task)
+  const letters = task.clientHeight - parseFloat(paddingTop) - parseFloat(paddingBottom)
+  const headline = document.createRange()
+  headline.selectNodeContents(document.querySelector("h1"))
+  const lines = new Set([...headline.getClientRects()].map(({top}) => Math.round(top))).size
+  return [
+    ...missing.map(part => `${part} of the task is missing`),
+    ...below.map(([part]) => `${part} of the task is below ${most} px`),
+    ...(screens > 1 || letters < 3.5 * parseFloat(lineHeight) ? [] : ["the task has more than three lines"]),
+    ...(screens > 1 || lines < 3 ? [] : ["the headline has more than two lines"]),
+  ]
+}"""
+"""Parts that a task names and that end more than `room` px below so many screens; long tasks and headlines."""
+
 SIDEWAYS = """() => {
   const seen = kind => [...document.querySelectorAll(`.block.${kind}`)].filter(one => one.checkVisibility())
     .map(one => one.getBoundingClientRect()).sort((one, other) => one.top - other.top)[0]

@@ -43,6 +43,11 @@ READ = ((1280, 720), (1024, 768))
 """Sizes of a desk at which the order of the parts is looked at."""
 DESKS = ((1280, 720), (1250, 590), (1024, 768), (1920, 1080))
 FOLD = "document.querySelectorAll('.panel details.fold').forEach(fold => { fold.open = false })"
+BELOW = {
+    ("analogues", "string"): 4, ("damped", "formulas"): 44, ("driven", "power"): 11, ("absorber", "stroke"): 28,
+    ("driven", "forces"): 35, ("driven", "formulas"): 9,
+}  # fmt: skip
+"""How far below the first screen of a phone parts that a task names end, in px. Rows for fingers take this room."""
 
 
 def at_size(page: Page, size: tuple[int, int], *scripts: str, text: str = "100%") -> list[str]:
@@ -74,16 +79,25 @@ def test_nothing_is_wrong_on_a_desk(desk: Page, state: State) -> None:
     found += at_size(desk, (1280, 720), looks.LOST) + looks.of(desk, looks.TARGETS, given=24) + looks.axe(desk)
     if state in OPENING:  # other views may draw dots alone
         desk.wait_for_function(f"!({looks.UNINKED})().length")
+    desk.evaluate("oscillations.change(() => ({covered: oscillations.plots.map(p => `plot:${p.block.name}`)}))")
+    desk.wait_for_function("oscillations.shown.state.covered.length === oscillations.plots.length")
+    found += looks.of(desk, looks.TWICE)
     assert not found, "\n".join([theme, *found])
 
 
 @states
 def test_nothing_is_wrong_on_a_phone(phone: Page, state: State) -> None:
+    """The parts that the task names are on the first screen, or on the first two of a small phone."""
     slug, given = state
     phone.set_viewport_size({"width": 390, "height": 844})
     turned(phone, slug, given)
     phone.evaluate(FOLD)
-    found = at_size(phone, (390, 844), looks.ORDER) + at_size(phone, (320, 568), looks.ORDER)
+    (view,) = [view for view in SCENES[slug].views if view.slug == SCENES[slug](**given).view]
+    found = []
+    below = BELOW.get((slug, str(given.get("system") or view.slug)), 0)
+    for size, screens, room in (((390, 844), 1, below), ((320, 568), 2, 0)):
+        found += at_size(phone, size, looks.ORDER)
+        found += looks.of(phone, looks.FIRST, given=[list(view.names), screens, room])
     found += at_size(phone, (844, 390), looks.ORDER, looks.SIDEWAYS)
     unfold(phone)
     found += at_size(phone, (360, 640)) + at_size(phone, (390, 844), text="200%")
