@@ -35,6 +35,7 @@ from physics.oscillator import Oscillator
 from physics.pendulum import Pendulum, amplitude_at_excess, excess
 from physics.periodic import PeriodicPush
 from physics.phugoid import flight, linear_flight, linear_phugoid
+from physics.sampling import periods
 from physics.transient import DampedModes
 
 CHAIN, ALONE = TwoMassChain(m1=1.0, m2=1.0, k1=1.0, k2=1.0), Oscillator(m=1.0, k=1.0)
@@ -119,6 +120,7 @@ CALLS: list[tuple[str, Callable[[], object]]] = [
     ("the largest acceleration = .* leaves", lambda: FreeOscillation(
         oscillator=Oscillator(m=1e-300, k=1e10), x_0=0.2, v_0=-0.3).amplitude(2)),
     ("the energy lost leaves", lambda: FreeDecay(oscillator=ONE, x_0=1e200, v_0=0.0).lost([1.0])),
+    *((r"4 periods at omega = .* leaves", lambda bad=bad: periods(bad, 4.0)) for bad in (0.0, 1e-310, math.inf)),
     (r"omega = 1\.41.*range of doubles", lambda: linear_phugoid(1e-300, 1e300)),
     (r"v_0\^2/g = 1\.0.*range of doubles", lambda: flight(1e200, 1.0, 0.1, [0.0])),
     *(("the phase leaves", lambda f=f: f(1e-10, 1e10, 0.1, [1e300])) for f in (flight, linear_flight)),
