@@ -2,7 +2,7 @@
 
 import re
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import cycle
@@ -18,7 +18,10 @@ from components.scenes.accuracy.measurement import known
 from components.scenes.accuracy.measuring import LIVE, WAITING, Job, Measuring
 from components.scenes.accuracy.prices import price_list, time_text, unreached
 from components.scenes.accuracy.recorded import recorded
-from physics.integrators.accuracy import MARKS, SYSTEMS, Run, entered
+from physics.integrators.accuracy import MARKS, PERIODS, SYSTEMS, Run, entered
+from physics.integrators.exponential_steps import EXPONENTIAL
+from physics.integrators.fixed_steps import STEPPING
+from physics.integrators.price import prices
 from physics.integrators.solvers import METHODS
 from tests.page.headless_page import Page, unpacked
 from tests.scenes.checks import check_picture
@@ -189,6 +192,35 @@ def test_the_first_view_draws_three_methods_that_leave_the_exact_motion() -> Non
 
 
 TWO = ("closed", "verlet")
+
+
+SOLVING = [slug for slug, step in STEPPING.items() if step.solved or step.splits]
+"""Methods that solve equations, or the coupling spring, exactly: no step of theirs is too long for stability."""
+
+
+def runs(slug: str) -> Mapping[str, Sequence[Run]]:
+    return recorded(slug).runs.by_method
+
+
+def stepping(slug: str, wanted: float) -> dict[str, float]:
+    """Evaluations of the adaptive methods, without one that 1,000 restarts make more accurate than asked."""
+    found = prices(runs(slug).values(), wanted)
+    known = {price.method: price.evaluations or 0.0 for price in found if price.time is not None}
+    return {name: n for name, n in known.items() if METHODS[name].family in ("fixed", "adaptive") and name != "fortran"}
+
+
+def test_what_the_presets_say_of_methods_is_true_of_the_record() -> None:
+    """Close frequencies cost no steps, a fast mode that swings does, and explicit methods follow one at rest."""
+    beats, benign = (stepping(slug, 1e-6) for slug in ("beats", "benign"))
+    assert all(beats[method] < benign[method] for method in beats.keys() & benign.keys())
+    for slug, ratio in (("wide", 2000), ("light", 1000)):
+        found = stepping(slug, 1e-3)
+        assert all(count > PERIODS * ratio for name, count in found.items() if name not in EXPONENTIAL)
+    found = stepping("wider", 1e-6)
+    assert all(found[slug] > 1000 * found["gauss4"] for slug in found if slug in STEPPING and slug not in SOLVING)
+    for method in ("midpoint", "newmark", "gauss4", "radau", "bdf"):
+        run = next(run for run in runs("dashpot")[method] if run.error is not None)
+        assert ((run.final_error or 0.0) < 0.01) == (method in ("radau", "bdf")), "long steps ring, or do not"
 
 
 def wait(until: Callable[[], object], seconds: float = 400.0) -> None:
