@@ -7,6 +7,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
+from components.scenes import SCENES
 from components.walks.loading import load_walks
 from components.walks.questions.choice import ChoiceStep
 from tests.browser import looks
@@ -224,6 +225,30 @@ def test_a_step_is_seen_from_its_start_and_a_phone_held_sideways_has_room_to_dra
     page.locator("[data-option='0']").click()
     show(page)
     assert looks.faults(page) == []
+
+
+SEEN = """globalThis.frames_seen = []
+const look = () => {
+  const isThere = name => Boolean(document.querySelector(name)?.checkVisibility())
+  const headline = document.querySelector("h1")?.textContent ?? ""
+  const [stage, presets, card] = [".paper .mass", ".panel .chips button", ".card"].map(isThere)
+  frames_seen.push({headline, stage, presets, card})
+  requestAnimationFrame(look)
+}
+requestAnimationFrame(look)"""
+"""Notes the contents of the page at each frame."""
+
+
+def test_a_link_to_a_step_never_shows_the_scene_alone(server: Server, new_page: Callable[..., Page]) -> None:
+    page = new_page()
+    page.add_init_script(SEEN)
+    page.goto(f"{server.url}?walk=d34&step=d34-02")
+    page.wait_for_function("globalThis.oscillations?.walks?.walk?.card && oscillations.connection.wire")
+    seen = page.evaluate("frames_seen")
+    headlines = {scene.headline for scene in SCENES.values()}
+    assert any(one["card"] for one in seen)
+    assert not [one for one in seen if one["presets"] or one["headline"] in headlines]
+    assert not [one for one in seen if one["stage"] and not one["card"]]
 
 
 def test_the_core_of_a_walk_is_a_shorter_one(walk: Walk) -> None:
