@@ -74,7 +74,7 @@ MUTANTS = (
         "rounding", "components/quantities/formatting.py", "{value:.2e}", "{value:.1e}",
         "tests/components/test_numbers.py"
     ),
-    Mutant("link", "components/state/link.py", "DIGITS = 4\n", "DIGITS = 2\n", "tests/components/test_link.py"),
+    Mutant("link", "components/state/link.py", "DIGITS = 4\n", "DIGITS = 2\n", "tests/page/test_opening.py"),
     Mutant(
         "answer", "components/walks/content/d31.toml",
         'answer = { of = "2 * delta_st"', 'answer = { of = "delta_st"',

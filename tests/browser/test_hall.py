@@ -24,7 +24,7 @@ from tests.browser.waiting import MINE, clicked, drop, passed, seek, turned
 from tests.grids import WHOLE, sample
 from tests.live_class.caller import call
 from tests.serving.server import Server
-from tests.walks.answers import answers
+from tests.walks.test_walking import answers
 from tools.look import faults_of
 
 pytestmark = pytest.mark.browser
