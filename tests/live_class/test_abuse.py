@@ -20,8 +20,7 @@ from components.live_class.routes import CODE, LiveClass
 from components.live_class.store import MemoryStore
 from components.serving.visitors import Rate
 from tests.grids import WHOLE
-from tests.live_class.caller import MESSAGES, Answered, Class, Remote
-from tests.live_class.questions import CHOICE, SKETCH
+from tests.live_class.caller import CHOICE, MESSAGES, SKETCH, Answered, Class, Remote
 from tests.live_class.served import BANK, Valkey, contents, made, served, set_limits, taught
 
 METHODS = ("get", "head", "post", "put", "delete", "patch", "options")
@@ -113,9 +112,7 @@ ALONE = ("no word", "a closed class", "too many", "no place")
 
 
 @pytest.mark.parametrize("alone", ["none", *ALONE])
-async def test_every_route_answers_an_abuse_in_a_sentence_and_nothing_is_lost(
-    alone: str, subtests: pytest.Subtests
-) -> None:
+async def test_every_route_answers_an_abuse_in_a_sentence(alone: str, subtests: pytest.Subtests) -> None:
     async with taught() as (server, url, lesson):
         other = await Class.open(url)
         for one in (lesson, other):
@@ -212,17 +209,6 @@ STEADY = 2000
 """Bytes that a round may add although nothing is stored per message: filling caches and growing lists."""
 
 
-@pytest.fixture
-def small(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A server with small limits."""
-    set_limits(monkeypatch, 300_000, 50_000)
-    monkeypatch.setattr(follower_routes, "MOST_FOLLOWERS", 4)
-    monkeypatch.setattr(registry, "SPARE", 2)
-    monkeypatch.setattr(instructor_routes, "MOST_OPENED", 4)
-    monkeypatch.setattr(room, "KEPT", 4)
-    monkeypatch.setattr(remotes, "DIGITS", range(10, 14))
-
-
 def bytes_of(root: object) -> int:
     """Return the bytes of all objects reachable from one."""
     seen, todo, total = set[int](), [root], 0
@@ -236,10 +222,16 @@ def bytes_of(root: object) -> int:
 
 
 @pytest.mark.parametrize("kind", ["memory", pytest.param("valkey", marks=pytest.mark.slow)])
-async def test_many_messages_of_a_kind_leave_no_more_than_some(
-    kind: str, valkey: Valkey, small: None, subtests: pytest.Subtests
+async def test_many_messages_leave_no_more_than_some(
+    kind: str, valkey: Valkey, subtests: pytest.Subtests, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """After some messages a limit is reached: twice or three times as many add nothing."""
+    """After some messages a small limit is reached: twice or three times as many add nothing."""
+    set_limits(monkeypatch, 300_000, 50_000)
+    monkeypatch.setattr(follower_routes, "MOST_FOLLOWERS", 4)
+    monkeypatch.setattr(registry, "SPARE", 2)
+    monkeypatch.setattr(instructor_routes, "MOST_OPENED", 4)
+    monkeypatch.setattr(room, "KEPT", 4)
+    monkeypatch.setattr(remotes, "DIGITS", range(10, 14))
     async with (
         made(valkey.url if kind == "valkey" else "") as kept,
         served(kept, trusted_proxies=("127.0.0.1",)) as (server, url),

@@ -26,7 +26,7 @@ from components.live_class.store import Parts
 from components.live_class.summary import stored, summary
 from components.live_class.votes_csv import votes_csv
 from tests.grids import WHOLE
-from tests.live_class.questions import OWN, QUESTIONS, Answer, Asked
+from tests.live_class.caller import OWN, QUESTIONS, Answer, Asked
 from tests.live_class.served import BANK, Listener, contents, made
 
 AT, PHONE = st.integers(0, 1), st.integers(0, 4)

@@ -31,8 +31,7 @@ from components.walks.loading import read_walk
 from components.walks.questions.question import Written
 from components.walks.questions.sketch import SketchStep
 from tests.grids import WHOLE, sample
-from tests.live_class.caller import until
-from tests.live_class.questions import CHOICE, NUMBER, OWN, SKETCH, drawn
+from tests.live_class.caller import CHOICE, NUMBER, OWN, SKETCH, drawn, until
 from tests.live_class.served import ANSWERS, BANK, READ, Listener, Valkey, fill, made, taught
 
 CLOCK = RunClock(t=1.0, rate=0.0, end=20.0, at=0.0)
@@ -231,9 +230,7 @@ MOST_WORK = 20_000
     sample([{**SKETCH, **drawn(500)}, {**NUMBER, "text": "7"}, {**CHOICE, "option": 1}]),
     ids=itemgetter("step"),
 )
-async def test_no_number_of_answers_holds_the_event_loop(
-    asked: dict[str, Any], monkeypatch: pytest.MonkeyPatch
-) -> None:
+async def test_many_answers_do_not_hold_the_event_loop(asked: dict[str, Any], monkeypatch: pytest.MonkeyPatch) -> None:
     store, calls, write = MemoryStore(size=2**30), [0], Mock(return_value=Written("drawn"))
     monkeypatch.setattr(SketchStep, "written", write)
 

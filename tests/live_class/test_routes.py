@@ -19,8 +19,7 @@ from components.live_class.room import name_of
 from components.serving import worker_process
 from components.serving.shell import version
 from components.serving.worker_process import ReadingProcess
-from tests.live_class.caller import Answered, Class, Remote, Stream, called, events_of, until
-from tests.live_class.questions import CHOICE, NUMBER, OWN
+from tests.live_class.caller import CHOICE, NUMBER, OWN, Answered, Class, Remote, Stream, called, events_of, until
 from tests.live_class.served import Valkey, made, served, taught
 from tests.page.scripts import text_of
 from tests.serving.visitor import Visitor
@@ -52,19 +51,15 @@ async def test_what_the_instructor_shows_reaches_followers_as_the_same_message()
 async def test_a_follower_learns_what_is_said_of_its_answer_when_it_is_shown_and_the_instructor_gets_a_table() -> None:
     async with taught() as (_, _, lesson):
         await lesson.order("put", **CHOICE)
-        token = await lesson.token()
+        token, answer = await lesson.token(), {**CHOICE, "option": 1}
         for option in (1, 0):
             await lesson.voted(token, **CHOICE, option=option)
-        early = await lesson.ask("answer", "POST", {**CHOICE, "option": 1}, token)
+        early = await lesson.ask("answer", "POST", answer, token)
         assert early[:2] == (204, "")  # not shown yet, or taken back before the phone knows
         await lesson.order("show")
         # Nothing is sent for another question.
-        for answer, status in (
-            ({**NUMBER, "text": "2"}, 204),
-            ({**CHOICE, "option": 7}, 400),
-            ({**CHOICE, "option": 1}, 200),
-        ):
-            reply = await lesson.ask("answer", "POST", answer, token)
+        for asked, status in (({**NUMBER, "text": "2"}, 204), ({**CHOICE, "option": 7}, 400), (answer, 200)):
+            reply = await lesson.ask("answer", "POST", asked, token)
             assert reply.status == status
         assert reply.json["type"] == "taught" and reply.json["lesson"]["right"] is False
         table = await lesson.ask("answers.csv")
@@ -170,10 +165,8 @@ async def test_another_computer_leads_with_a_word_that_is_good_once() -> None:
 
         used = await new_word()
         moved = await called(url, f"/{used.lower()}")
-        assert (moved.status, moved.headers["Location"]) == (
-            302,
-            f"./?class={lesson.code}&lead={used.rpartition('-')[2]}",
-        )
+        there = f"./?class={lesson.code}&lead={used.rpartition('-')[2]}"
+        assert (moved.status, moved.headers["Location"]) == (302, there)
         taken = (await take(used.lower())).json
         assert taken["key"] == lesson.key and link.items() <= taken.items()
         replaced, good = await new_word(), await new_word()
@@ -297,9 +290,8 @@ def picture(sheet: object) -> dict[str, bytes]:
 
 
 @pytest.mark.parametrize("leads", [False, True])
-async def test_who_reads_slowly_gets_the_latest_picture_and_each_deed_once_and_who_never_reads_is_let_go(
-    leads: bool, monkeypatch: pytest.MonkeyPatch
-) -> None:
+async def test_slow_readers_get_the_latest_and_each_deed_once(leads: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A connection that nobody reads is closed."""
     async with taught() as (server, _, lesson):
         quick, word = await lesson.follow(), lesson.key if leads else await lesson.token()
         room, slow = server.classes.registry.rooms[lesson.code], socket.socket()  # a stream that nobody reads
@@ -329,9 +321,7 @@ async def test_who_reads_slowly_gets_the_latest_picture_and_each_deed_once_and_w
         slow.close()
 
 
-async def test_a_storm_of_streams_takes_no_places_and_a_phone_at_two_replicas_is_one(
-    valkey: Valkey, monkeypatch: pytest.MonkeyPatch
-) -> None:
+async def test_many_streams_of_a_phone_take_one_place(valkey: Valkey, monkeypatch: pytest.MonkeyPatch) -> None:
     """The newest streams of a phone stay open, and so do those of others. Asleep, it is none."""
     monkeypatch.setattr(follower_routes, "MOST_STREAMS", 2)
     async with (

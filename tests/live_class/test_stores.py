@@ -155,9 +155,7 @@ async def test_a_room_has_so_many_bytes_of_answers_and_removed_ones_make_place(u
         assert await kept.vote("AAAA", "a", "three", b"x" * 60)
 
 
-async def test_the_bytes_that_are_counted_are_no_fewer_than_those_of_the_store(
-    valkey: Valkey, monkeypatch: pytest.MonkeyPatch
-) -> None:
+async def test_no_fewer_bytes_are_counted_than_are_stored(valkey: Valkey, monkeypatch: pytest.MonkeyPatch) -> None:
     """The smallest answers need more bytes than they contain; many votes have only one answer."""
     set_limits(monkeypatch, 100_000, 10_000)
     async with made(valkey.url) as kept:
@@ -187,9 +185,8 @@ async def test_a_full_store_says_so_and_forgets_no_class(valkey: Valkey) -> None
                 client.config_set("maxmemory", 0)
 
 
-async def test_a_store_that_is_away_or_falls_silent_is_noticed_and_one_that_has_nothing_to_say_is_not(
-    valkey: Valkey, monkeypatch: pytest.MonkeyPatch
-) -> None:
+async def test_a_store_that_is_away_or_silent_is_noticed(valkey: Valkey, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A store that has nothing to say is not away."""
     monkeypatch.setattr(shared_store, "PULSE", 0.05)
     async with made("redis://127.0.0.1:1/0") as away:
         for work in (away.parts("K7HM"), away.listen(lambda code, parts: None, lambda: None)):

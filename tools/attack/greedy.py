@@ -15,8 +15,7 @@ from statistics import median, quantiles
 from time import monotonic
 from typing import Any, NamedTuple
 
-from tests.live_class.caller import Class, called
-from tests.live_class.questions import SKETCH, drawn
+from tests.live_class.caller import SKETCH, Class, called, drawn
 from tests.serving.visitor import Visitor
 from tools.attack.result import AttackResult
 

@@ -12,8 +12,7 @@ import logging
 from time import monotonic, thread_time
 
 from components.live_class.store import MemoryStore
-from tests.live_class.caller import Class, called
-from tests.live_class.questions import SKETCH, drawn
+from tests.live_class.caller import SKETCH, Class, called, drawn
 from tests.live_class.served import READ, fill, served
 
 AT_ONCE = 4
