@@ -11,7 +11,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from physics.absorber import damped_amplitude, damped_solution, highest_peak, swing_and_stroke
-from physics.bode import Resonances, chain_resonances, quarter_lags
+from physics.bode import chain_resonances, quarter_lags
 from physics.bode_curves import bode_curves
 from physics.chain import UniformChain
 from physics.coupled import TwoMassChain, free_modes
@@ -23,6 +23,12 @@ from tests.physics.truth import LARGEST, U, each, each_magnitude, log_uniform, r
 
 ENDS = ("fixed-fixed", "fixed-free", "free-free")
 starts = st.lists(st.floats(-1, 1), min_size=24, max_size=24)
+GOOD = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
+NO_WALL, LOOSE = replace(GOOD, k1=0.0), replace(GOOD, k2=0.0)
+usual = log_uniform(-10, 10)
+usual_chains = st.builds(TwoMassChain, m1=usual, m2=usual, k1=usual, k2=usual)
+thorough = settings(max_examples=tries(60))
+NAMES = ("m1", "m2", "k1", "k2", "c1", "c2")
 
 
 def error(value: float, true: str) -> Any:
@@ -54,9 +60,7 @@ def test_modes_and_motions_are_those_of_the_reference(case: dict[str, Any]) -> N
 
 @settings(max_examples=tries(120))
 @given(st.integers(1, 24), log_uniform(-400, 400), log_uniform(-400, 400), st.sampled_from(ENDS), starts, starts)
-def test_over_all_decades_the_modes_have_all_the_energy_and_start_from_the_start(
-    N: int, m: float, k: float, ends: Any, x_0: list[float], v_0: list[float]
-) -> None:
+def test_over_all_decades_the_modes_have_all_the_energy_and_start_from_the_start(N, m, k, ends, x_0, v_0):
     chain = UniformChain(N=N, m=m, k=k, ends=ends)
     Omega = math.sqrt(k) / math.sqrt(m)
     x, v = np.array(x_0[:N]), Omega * np.array(v_0[:N])
@@ -71,14 +75,6 @@ def test_over_all_decades_the_modes_have_all_the_energy_and_start_from_the_start
     if ends == "free-free":
         assert np.sum(motion.v[:, 1]) == pytest.approx(np.sum(v), abs=1e-14 * N * np.abs(v).max() + 1e-300)
         assert modes.drift == pytest.approx((np.mean(x), np.mean(v)), rel=1e-9, abs=1e-15 * (1 + Omega))
-
-
-GOOD = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
-NO_WALL, LOOSE = replace(GOOD, k1=0.0), replace(GOOD, k2=0.0)
-
-usual = log_uniform(-10, 10)
-usual_chains = st.builds(TwoMassChain, m1=usual, m2=usual, k1=usual, k2=usual)
-thorough = settings(max_examples=tries(60))
 
 
 @thorough
@@ -165,40 +161,28 @@ def test_shares_are_those_of_the_amplitudes(chain: TwoMassChain, x1: float, x2: 
     assert mixture(chain, (0, 0)) == mixture(NO_WALL, (1, 1)) == (0.0, 0.0, 0.0)
 
 
-NAMES = ("m1", "m2", "k1", "k2", "c1", "c2")
-
-
 @each(reference("bode"))
 def test_peaks_dips_half_power_and_works_are_those_of_the_reference(case: dict[str, Any]) -> None:
     chain = DampedChain(**{name: case[name] for name in NAMES})
     for one, name in zip(chain_resonances(chain), ("X1", "X2", "stroke"), strict=True):
         true = case["over_F_0"][name]
-        check(one, [*true["peaks"], *true["dips"]])
+        for found, wanted in zip([*one.peaks, *one.dips], [*true["peaks"], *true["dips"]], strict=True):
+            sides = [None if side is None else float(side) for side in wanted.get("half_power", (None, None))]
+            assert [side is None for side in found.half_power] == [side is None for side in sides]
+            pairs = [(found.omega, float(wanted["omega"])), (found.height, float(wanted["height"]))]
+            pairs += [(a, b) for a, b in zip(found.half_power, sides, strict=True) if a and b]
+            assert all(a == pytest.approx(b, rel=U, abs=0) for a, b in pairs)
         assert one.poles == pytest.approx([float(w) for w in true["infinite"]], rel=U, abs=0)
-    wanted = [float(w) for w in case["quarter_lag_1"]]
-    assert quarter_lags(chain) == pytest.approx(wanted, rel=U, abs=0)
+    assert quarter_lags(chain) == pytest.approx([float(w) for w in case["quarter_lag_1"]], rel=U, abs=0)
     for omega, true in zip(case["omega"], case["at"], strict=True):
         if true:
             works = chain.works(omega, case["F_0"])
             assert works == pytest.approx([float(one) for one in true["work"][1:]], rel=4 * U, abs=0)
 
 
-def check(found: Resonances, wanted: list[dict[str, Any]]) -> None:
-    every = [*found.peaks, *found.dips]
-    assert len(every) == len(wanted)
-    for one, true in zip(every, wanted, strict=True):
-        sides = [None if side is None else float(side) for side in true.get("half_power", (None, None))]
-        assert [side is None for side in one.half_power] == [side is None for side in sides]
-        pairs = [(one.omega, float(true["omega"])), (one.height, float(true["height"]))]
-        pairs += [(a, b) for a, b in zip(one.half_power, sides, strict=True) if a and b]
-        assert all(a == pytest.approx(b, rel=U, abs=0) for a, b in pairs)
-
-
 @settings(max_examples=tries(400))
 @given(*[log_uniform(-150, 150)] * 7, st.sets(st.sampled_from(NAMES[2:])))
-def test_lags_over_many_decades_are_those_of_the_forces(
-    m1: float, m2: float, k1: float, k2: float, c1: float, c2: float, omega: float, none: set[str]
-) -> None:
+def test_lags_over_many_decades_are_those_of_the_forces(m1, m2, k1, k2, c1, c2, omega, none):
     """Lag 1 from 60 digits; lag 2 is behind it by an angle from 0 to pi."""
     chain = DampedChain(**(dict(zip(NAMES, (m1, m2, k1, k2, c1, c2), strict=True)) | dict.fromkeys(none, 0.0)))
     assume(chain.c1 or chain.c2)

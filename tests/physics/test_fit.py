@@ -5,7 +5,7 @@ Residuals have the cause of the motion that they are simulated with.
 
 import math
 from collections.abc import Callable
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 import numpy as np
@@ -25,6 +25,9 @@ from tests.physics.truth import each, reference
 pytestmark = pytest.mark.timeout(600)  # hundreds of fits, on a machine that may be busy
 SEEDS = 60
 Rows = tuple[np.ndarray, np.ndarray]
+CHAIN = TwoMassChain(m1=2.0, m2=1.0, k1=16.0, k2=9.0)
+T = np.arange(160) * 0.08
+ROWS = np.arange(40.0)
 
 
 @each(reference("beyond", "fit"))
@@ -50,29 +53,17 @@ def test_fits_are_the_minimum_of_the_reference(case: dict[str, Any]) -> None:
     assert fit.residual == pytest.approx(np.array(case["y"]) - fit.at(case["t"]), abs=1e-15)
 
 
-def made(
-    n: int, periods: float, zeta: float, sigma: float, change: Callable[..., Rows] | None = None, uneven: bool = False,
-    kept: float = 0.0,
-) -> Callable[[np.random.Generator], Rows]:  # fmt: skip
+def made(n, periods, zeta, sigma, rng, change=None, uneven=False, kept=0.0):
     """Rows with 2 pi rad/s, amplitude 1, phase 0.5 and offset 0.3; `kept` is the share of noise from the row before."""
     w = 2 * math.pi
-    a = zeta * w / math.sqrt(1 - zeta**2)
-
-    def make(rng: np.random.Generator) -> Rows:
-        t = np.arange(n) * (periods / (n - 1))
-        if uneven:
-            t = np.concatenate([[0.0], np.sort(rng.uniform(0, periods, n - 1))])
-        noise = sigma * math.sqrt(1 - kept**2) * rng.standard_normal(n)
-        for i in range(1, n if kept else 0):
-            noise[i] += kept * noise[i - 1]
-        y = 0.3 + np.exp(-a * t) * np.sin(w * t + 0.5) + noise
-        return change(t, y) if change else (t, y)
-
-    return make
-
-
-CHAIN = TwoMassChain(m1=2.0, m2=1.0, k1=16.0, k2=9.0)
-T = np.arange(160) * 0.08
+    t = np.arange(n) * (periods / (n - 1))
+    if uneven:
+        t = np.concatenate([[0.0], np.sort(rng.uniform(0, periods, n - 1))])
+    noise = sigma * math.sqrt(1 - kept**2) * rng.standard_normal(n)
+    for i in range(1, n if kept else 0):
+        noise[i] += kept * noise[i - 1]
+    y = 0.3 + np.exp(-zeta * w / math.sqrt(1 - zeta**2) * t) * np.sin(w * t + 0.5) + noise
+    return change(t, y) if change else (t, y)
 
 
 @cache
@@ -87,13 +78,13 @@ def record(rng: np.random.Generator, noise: tuple[float, float] = (0.02, 0.06), 
 
 
 MARKED: dict[str, tuple[Callable[..., Rows], set[Caution]]] = {
-    "plain": (made(200, 10, 0.02, 0.05), set()),
-    "less than a period": (made(40, 0.6, 0.1, 0.02), set()),
-    "uneven": (made(60, 40, 0.005, 0.05, uneven=True), set()),
-    "rounded": (made(200, 10, 0.02, 0.1, lambda t, y: (t, np.round(4 * y) / 4)), set()),
-    "clipped": (made(200, 10, 0.02, 0.05, lambda t, y: (t, np.minimum(y, 0.9))), {Caution.CLIPPED}),
-    "drifting": (made(60, 3, 0.1, 0.05, lambda t, y: (t, y + 0.2 * t / 3)), {Caution.DRIFT}),
-    "few": (made(12, 2.5, 0.1, 0.02), {Caution.FEW_ROWS}),
+    "plain": (partial(made, 200, 10, 0.02, 0.05), set()),
+    "less than a period": (partial(made, 40, 0.6, 0.1, 0.02), set()),
+    "uneven": (partial(made, 60, 40, 0.005, 0.05, uneven=True), set()),
+    "rounded": (partial(made, 200, 10, 0.02, 0.1, change=lambda t, y: (t, np.round(4 * y) / 4)), set()),
+    "clipped": (partial(made, 200, 10, 0.02, 0.05, change=lambda t, y: (t, np.minimum(y, 0.9))), {Caution.CLIPPED}),
+    "drifting": (partial(made, 60, 3, 0.1, 0.05, change=lambda t, y: (t, y + 0.2 * t / 3)), {Caution.DRIFT}),
+    "few": (partial(made, 12, 2.5, 0.1, 0.02), {Caution.FEW_ROWS}),
     "another mode": (lambda rng: (T, record(rng)[0]), {Caution.CORRELATED}),
 }
 
@@ -116,7 +107,7 @@ def test_noise_that_hides_the_motion_is_named() -> None:
 @pytest.mark.parametrize("zeta", [0.1, None])
 def test_one_standard_error_holds_the_truth_as_often_as_it_says(zeta: float | None) -> None:
     """In about 68 % of the records: of less than a period of one motion, and of a chain."""
-    make, w = made(40, 0.6, 0.1, 0.02), 2 * math.pi
+    make, w = partial(made, 40, 0.6, 0.1, 0.02), 2 * math.pi
     true = np.array([w, 0.1 * w / math.sqrt(0.99), 1.0, 0.5, 0.3])
     if not zeta:
         true = np.array([*CHAIN.modes().omega, 0.0, 0.0, *CHAIN.modes().ratio, 8.0, 4.5, 0.5])
@@ -138,8 +129,8 @@ def test_one_standard_error_holds_the_truth_as_often_as_it_says(zeta: float | No
 
 
 def test_correlated_noise_widens_the_errors() -> None:
-    make = made(200, 10, 0.02, 0.05, kept=0.8)
-    fits = [fit_damped(*make(np.random.default_rng(seed))) for seed in range(SEEDS)]
+    every = [made(200, 10, 0.02, 0.05, np.random.default_rng(seed), kept=0.8) for seed in range(SEEDS)]
+    fits = [fit_damped(*rows) for rows in every]
     assert all(Caution.CORRELATED in fit.cautions for fit in fits)
     assert 0.5 * SEEDS <= sum(abs(fit.omega[0] - 2 * math.pi) < fit.se_omega[0] for fit in fits) <= 0.86 * SEEDS
 
@@ -193,9 +184,6 @@ def test_evenly_spaced_rows_fit_two_frequencies() -> None:
     assert fit_damped(uneven, wave(uneven)).aliases == ()
 
 
-ROWS = np.arange(40.0)
-
-
 @pytest.mark.parametrize(
     ("t", "y", "modes", "words"),
     [
@@ -218,10 +206,7 @@ def test_refusals_say_what_is_needed(t: np.ndarray, y: np.ndarray, modes: int, w
 
 VIDEO = np.linspace(0.0, 12.0, 361)
 OMEGA, START, NOISE = 6.3, 0.08, 5.5e-4
-
-
-def dashpot() -> np.ndarray:
-    return np.asarray(START * np.exp(-0.08 * VIDEO) * np.cos(OMEGA * VIDEO))
+DASHPOT = START * np.exp(-0.08 * VIDEO) * np.cos(OMEGA * VIDEO)
 
 
 def with_force(force: Callable[[float, float], float]) -> np.ndarray:
@@ -240,22 +225,21 @@ def dry(shift: float) -> np.ndarray:
 
 
 SIMULATED: dict[str, tuple[Callable[[], np.ndarray], Cause | None]] = {
-    "dashpot": (dashpot, None),
+    "dashpot": (lambda: DASHPOT, None),
     "strong air": (lambda: with_force(lambda x, v: -1.5 * abs(v) * v), Cause.AIR),
     "weak air": (lambda: with_force(lambda x, v: -0.1 * v - 0.4 * abs(v) * v), Cause.AIR),
     "dry": (lambda: dry(0.0015), Cause.DRY),
     "dry until it stops": (lambda: dry(0.004), Cause.DRY),
     "stiff spring": (lambda: with_force(lambda x, v: -0.1 * v - 40 * OMEGA**2 * x**3), Cause.SPRING),
-    "drift": (lambda: dashpot() + 0.01 * np.sin(0.4 * VIDEO + 0.3) ** 2, Cause.DRIFT),
-    "faster mode": (lambda: dashpot() + 0.004 * np.cos(11.7 * VIDEO + 1), Cause.OTHER),
-    "slower mode": (lambda: dashpot() + 0.003 * np.cos(2.1 * VIDEO + 1), Cause.OTHER),
+    "drift": (lambda: DASHPOT + 0.01 * np.sin(0.4 * VIDEO + 0.3) ** 2, Cause.DRIFT),
+    "faster mode": (lambda: DASHPOT + 0.004 * np.cos(11.7 * VIDEO + 1), Cause.OTHER),
+    "slower mode": (lambda: DASHPOT + 0.003 * np.cos(2.1 * VIDEO + 1), Cause.OTHER),
 }
 
 
 @pytest.mark.parametrize("name", SIMULATED)
 def test_each_cause_is_distinguished_from_the_others(name: str) -> None:
-    motion, cause = SIMULATED[name]
-    x = motion()
+    x, cause = SIMULATED[name][0](), SIMULATED[name][1]
     for seed in range(8):
         noise = np.random.default_rng(seed).normal(0, NOISE, VIDEO.size)
         fit = fit_damped(VIDEO, x + noise)

@@ -1,4 +1,7 @@
-"""One mass: alone, hanging, damped and driven, a pendulum, an aircraft and analogues, against many digits."""
+"""One mass: alone, hanging, damped and driven, a pendulum, an aircraft and analogues, against many digits.
+
+Pendulum and phugoid are compared with Jacobi functions, Taylor series and book values.
+"""
 
 import math
 import sys
@@ -15,7 +18,7 @@ from scipy.integrate import cumulative_trapezoid
 from physics.analogues import ANALOGUES, G
 from physics.bode import driven_resonances
 from physics.damped import DampedOscillator
-from physics.driven import Drive, DrivenOscillator, drawn, lag
+from physics.driven import DrivenOscillator, drawn, lag
 from physics.forced_vibration import ForcedVibration, SampledVibration
 from physics.free_decay import FreeDecay
 from physics.free_oscillation import FreeOscillation
@@ -34,6 +37,40 @@ from tests.physics.truth import U, each, each_magnitude, log_uniform, reference,
 LARGEST = sys.float_info.max
 PRECISION = 2600  # bits: omega t may reach 2^2600
 SIGNS = st.sampled_from([-1.0, 0.0, 1.0])
+BITS = 4000
+BOUND = 2.0  # u of the sum of the sizes of both parts
+ZETAS = [0.0, 1.0, 1 + 2 * U, 1 - U, 1e8, 1e150, *(1 + apart for apart in (1e-9, -1e-9, 1e-5, -1e-5))]
+AT_THE_ENDS = [  # of the doubles. A motion whose acceleration exceeds doubles is refused, so x starts small.
+    ((1e-300, 1e-10, 1e280), (1e-300, 0.0), (0.0, 1e-293, 1e-290)),
+    ((1e300, 1e-300, 1e-300), (1.0, 0.0), (0.0, 1e287, 1e290)),
+    ((5e-324, 1.0, 1e-300), (1e-300, 0.0), (0.0, 1e-15, 1e-12)),
+    ((1.0, 1e-300, 1.0), (1.0, 0.0), (0.0, 1e-3, 1.0)),
+    ((1e-150, 2e150, 1e300), (1e-300, 0.0), (0.0, 1e-228, 1e-225)),
+    ((2.0, 4.0, 0.0), (1.0, 3.0), (0.0, 0.5, 1e3)),
+    ((2.0, 0.0, 0.0), (1.0, 3.0), (0.0, 0.5, 1e3)),
+]
+unit, amount = st.just(1.0) | log_uniform(-10, 10), st.integers(-999, 999).map(lambda n: n / 999)
+zetas = st.sampled_from(ZETAS) | log_uniform(-27, 27)
+KINDS = ("force", "base", "unbalance")
+each_case = each(reference("beyond", "driven"))
+MASS = HangingMass(m=2.0, k=50.0, g=9.81)
+LAST = math.nextafter(math.pi, 0)
+AMPLITUDES = (0.0, 1e-300, 1e-9, 0.1, 1.0, -2.0, 3.0, 3.14, 3.141592, math.pi - 1e-10, LAST, math.pi)
+NEAR_CUSP = (np.nextafter(CUSP_EXCESS, 0), CUSP_EXCESS, np.nextafter(CUSP_EXCESS, 1))
+EXCESSES = (1e-9, 0.01, 0.1511, 0.4585, 0.6, 0.73, 0.732, *NEAR_CUSP, 0.7321, 0.74, 1.0, 3.0, 100.0, 1e6)
+ROLES = {
+    "spring": lambda p: (p["m"], p["k"]),
+    "shaft": lambda p: (p["J"], p["k_t"]),
+    "pendulum": lambda p: (p["m"] * p["l"] ** 2, p["m"] * p["g"] * p["l"]),
+    "rocking": lambda p: (p["m"] * (p["d"] ** 2 + p["r"] ** 2), p["m"] * G * p["d"]),
+    "floating": lambda p: (p["m"], p["rho"] * G * p["A"]),
+    "circuit": lambda p: (p["L"], 1 / p["C"]),
+    "string": lambda p: (4e-4 * p["L"] / 2, (p["n"] * math.pi) ** 2 * p["T"] / (2 * p["L"])),
+    "wave": lambda p: (p["rho"] * p["wavelength"] / (4 * math.pi), p["rho"] * p["g"] / 2),
+    "pipe": lambda p: (1.2 * AREA * p["L"] / 2, 1.2 * AREA * p["c"] ** 2 * (p["n"] * math.pi) ** 2 / (2 * p["L"])),
+}
+"""Inertia and stiffness by the table of the lecture."""
+AREA = 1e-3
 
 
 def drawn_numbers(data, magnitudes):
@@ -97,30 +134,12 @@ def test_frequencies_and_constants_are_rounded_once_and_the_phase_within_2_ulp(m
         assert -math.pi <= constants.phi <= math.pi
 
 
-BITS = 4000
-BOUND = 2.0  # u of the sum of the sizes of both parts
-ZETAS = [0.0, 1.0, 1 + 2 * U, 1 - U, 1e8, 1e150, *(1 + apart for apart in (1e-9, -1e-9, 1e-5, -1e-5))]
-AT_THE_ENDS = [  # of the doubles. A motion whose acceleration exceeds doubles is refused, so x starts small.
-    ((1e-300, 1e-10, 1e280), (1e-300, 0.0), (0.0, 1e-293, 1e-290)),
-    ((1e300, 1e-300, 1e-300), (1.0, 0.0), (0.0, 1e287, 1e290)),
-    ((5e-324, 1.0, 1e-300), (1e-300, 0.0), (0.0, 1e-15, 1e-12)),
-    ((1.0, 1e-300, 1.0), (1.0, 0.0), (0.0, 1e-3, 1.0)),
-    ((1e-150, 2e150, 1e300), (1e-300, 0.0), (0.0, 1e-228, 1e-225)),
-    ((2.0, 4.0, 0.0), (1.0, 3.0), (0.0, 0.5, 1e3)),
-    ((2.0, 0.0, 0.0), (1.0, 3.0), (0.0, 0.5, 1e3)),
-]
-
-
 def check(oscillator, x_0, v_0, times):
     motion = oscillator.motion(x_0, v_0, times)
     for n, t in enumerate(times):
         for name, (value, size) in true_motion(oscillator, x_0, v_0, t).items():
             off = abs(mp.mpf(getattr(motion, name)[n]) - value)
             assert off <= BOUND * U * size + mp.mpf("1e-255") * (abs(x_0) + abs(v_0)), (name, t)
-
-
-unit, amount = st.just(1.0) | log_uniform(-10, 10), st.integers(-999, 999).map(lambda n: n / 999)
-zetas = st.sampled_from(ZETAS) | log_uniform(-27, 27)
 
 
 @settings(max_examples=tries(200))
@@ -174,10 +193,6 @@ def test_top_speed_is_where_the_acceleration_is_zero_and_a_mass_at_rest_has_no_m
     rest = FreeDecay(oscillator=one, x_0=0.0, v_0=0.0)
     assert (rest.first_zero, rest.first_turn, rest.settled(0.02)) == (None, None, None)
     assert not rest.lost([0.0, 1.0]).any()
-
-
-KINDS = ("force", "base", "unbalance")
-each_case = each(reference("beyond", "driven"))
 
 
 def driven(case):
@@ -269,9 +284,6 @@ def test_mean_powers_are_work_over_a_period(kind, c):
         assert np.abs(mean - expected).max() < 1e-5 * np.abs(expected).max() + 1e-12
 
 
-MASS = HangingMass(m=2.0, k=50.0, g=9.81)
-
-
 @settings(max_examples=tries(300))
 @given(*[log_uniform(-60, 60)] * 4, st.sampled_from([-1.0, 1.0]))
 def test_energies_against_rational_arithmetic(m, k, g, x, sign):
@@ -307,9 +319,7 @@ def test_decays_add_up_to_the_motion(c):
 
 @settings(max_examples=tries(200))
 @given(log_uniform(-13, 2), log_uniform(-6, -1), log_uniform(1, 6), st.booleans())
-def test_a_curve_over_the_ratio_is_nearly_straight_between_its_points(
-    zeta: float, low: float, high: float, log: bool
-) -> None:
+def test_a_curve_over_the_ratio_is_nearly_straight_between_its_points(zeta, low, high, log):
     r = ratios(zeta, low, high, log)
     assert np.all(np.diff(r) > 0) and 1.0 in r and low <= r[0] <= low + high / 90 and high * (1 - 1e-9) <= r[-1] <= high
     assert np.all(r[1:] - r[:-1] <= high / 89) if not log else np.all(r[1:] / r[:-1] <= (high / low) ** (1 / 89))
@@ -321,9 +331,7 @@ def test_a_curve_over_the_ratio_is_nearly_straight_between_its_points(
 
 @settings(max_examples=tries(200))
 @given(st.sampled_from(KINDS), log_uniform(-3, 6), *[log_uniform(-3, 13)] * 2, log_uniform(-10, -1))
-def test_what_is_too_fast_for_a_line_is_a_band_until_it_has_died(
-    kind: Drive, end: float, omega: float, omega_n: float, zeta: float
-) -> None:
+def test_what_is_too_fast_for_a_line_is_a_band_until_it_has_died(kind, end, omega, omega_n, zeta):
     """The transient is seen while its amplitude is more than 0.2 % of the largest displacement."""
     one = DrivenOscillator(m=1.0, c=2 * zeta * omega_n, k=omega_n**2)
     forced = ForcedVibration(oscillator=one, kind=kind, size=0.1, omega=omega, x_0=0.2, v_0=0.0)
@@ -345,12 +353,6 @@ def test_what_is_too_fast_for_a_line_is_a_band_until_it_has_died(
         if late is not None:
             assert late.size == np.count_nonzero(~seen)
             assert name != "x" or late == pytest.approx(x[seen.sum() :])
-
-
-# Pendulum and phugoid against Jacobi functions, Taylor series in many digits and book values; the nine analogues.
-
-LAST = math.nextafter(math.pi, 0)
-AMPLITUDES = (0.0, 1e-300, 1e-9, 0.1, 1.0, -2.0, 3.0, 3.14, 3.141592, math.pi - 1e-10, LAST, math.pi)
 
 
 @pytest.mark.parametrize("theta_0", AMPLITUDES)
@@ -388,10 +390,6 @@ def test_amplitude_is_the_inverse_of_excess(theta_0):
     assert found == (theta_0 if theta_0 in (0.0, math.pi) else pytest.approx(theta_0, rel=condition * U))
 
 
-NEAR_CUSP = (np.nextafter(CUSP_EXCESS, 0), CUSP_EXCESS, np.nextafter(CUSP_EXCESS, 1))
-EXCESSES = (1e-9, 0.01, 0.1511, 0.4585, 0.6, 0.73, 0.732, *NEAR_CUSP, 0.7321, 0.74, 1.0, 3.0, 100.0, 1e6)
-
-
 def test_at_the_cusp_the_period_is_2_22_percent_longer():
     assert period_excess(CUSP_EXCESS) == pytest.approx(0.0222, abs=5e-5)
     assert invariant(CUSP_EXCESS) == pytest.approx(0.0, abs=4 * U)
@@ -399,21 +397,6 @@ def test_at_the_cusp_the_period_is_2_22_percent_longer():
     for lateness, speed in EXCESS_AT_LATENESS.items():
         assert excess_at_period_excess(lateness) == pytest.approx(speed, rel=1e-9)
         assert period_excess(speed) == pytest.approx(lateness, rel=1e-9)
-
-
-ROLES = {
-    "spring": lambda p: (p["m"], p["k"]),
-    "shaft": lambda p: (p["J"], p["k_t"]),
-    "pendulum": lambda p: (p["m"] * p["l"] ** 2, p["m"] * p["g"] * p["l"]),
-    "rocking": lambda p: (p["m"] * (p["d"] ** 2 + p["r"] ** 2), p["m"] * G * p["d"]),
-    "floating": lambda p: (p["m"], p["rho"] * G * p["A"]),
-    "circuit": lambda p: (p["L"], 1 / p["C"]),
-    "string": lambda p: (4e-4 * p["L"] / 2, (p["n"] * math.pi) ** 2 * p["T"] / (2 * p["L"])),
-    "wave": lambda p: (p["rho"] * p["wavelength"] / (4 * math.pi), p["rho"] * p["g"] / 2),
-    "pipe": lambda p: (1.2 * AREA * p["L"] / 2, 1.2 * AREA * p["c"] ** 2 * (p["n"] * math.pi) ** 2 / (2 * p["L"])),
-}
-"""Inertia and stiffness by the table of the lecture."""
-AREA = 1e-3
 
 
 @pytest.mark.parametrize("slug", ANALOGUES)

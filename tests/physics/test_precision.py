@@ -23,6 +23,14 @@ from tests.grids import tries
 from tests.physics.truth import U
 
 thorough = settings(max_examples=tries(200))
+DIGITS = MPContext()
+DIGITS.dps = 120
+BITS = 3000
+T = np.linspace(0.0, 10.0, 601)
+ZERO = Decimal(0)
+QUANTITIES = ("one", "other")
+small = st.floats(-1.0, 1.0)
+WINDOWS = [(1.0, 2.0, 4), (1.0, 1.5, 4), (1.0, 1.25, 8), (1.0, 1.02, 100), (1.0, 1.0, 100), (1e-200, 2e-200, 4)]
 
 
 def test_digits_that_no_double_has_are_split_rounded_compared_and_told_from_noise():
@@ -53,10 +61,6 @@ def test_phases_of_any_frequency(exponent, turns, low, phase):
             assert abs(mp.mpf(cosine[n]) - mp.cos(true)) <= 0.6 * U
 
 
-DIGITS = MPContext()
-DIGITS.dps = 120
-
-
 @pytest.mark.parametrize("spread", [1, 30, 300])
 @thorough
 @given(st.lists(st.floats(0.1, 1.0), min_size=2, max_size=5), st.lists(st.floats(-1.0, 1.0), min_size=5, max_size=5))
@@ -75,13 +79,6 @@ def test_a_multiple_root_keeps_its_share_of_the_digits(multiplicity):
     found = roots(DIGITS, coefficients)
     assert all(abs(z + 1) < DIGITS.mpf(10) ** (5 - 120 // multiplicity) for z in found)
     assert len(set(found)) == multiplicity
-
-
-BITS = 3000
-T = np.linspace(0.0, 10.0, 601)
-ZERO, ONE = Decimal(0), Decimal(1)
-QUANTITIES = ("one", "other")
-small = st.floats(-1.0, 1.0)
 
 
 def swing(omega, a, b):
@@ -171,18 +168,14 @@ def test_the_mean_of_a_fast_motion_is_that_over_a_cycle() -> None:
         assert motion.mean.at(whole)[2000] == pytest.approx(averaged, abs=2e-3 * size)
 
 
-def test_a_fast_motion_stays_within_its_band() -> None:
+def test_a_fast_motion_stays_within_its_band_whose_slow_part_is_a_line() -> None:
+    """If x is slow enough for a line and its square is not, the band of their sum follows x."""
     free = decay(v_0=-2.0)
     assert free.v.band(0.0) is None and (free.x * free.v).band(0.0) is None
     for motion in (free.x, 3.0 - 2.0 * free.x, 4.0 * free.x**2 + 1.0, free.x**2 - 0.5 * free.x):
         low, high = motion.band(0.0) or pytest.fail("it has no band")
         margin = 1e-12 * np.max(np.abs(high.at(T)))
         assert np.all(low.at(T) - margin <= motion.at(T)) and np.all(motion.at(T) <= high.at(T) + margin)
-
-
-def test_the_slow_part_of_a_band_is_a_line() -> None:
-    """If x is slow enough for a line and its square is not, the band of their sum follows x."""
-    free = decay(v_0=-2.0)
     low, high = (free.x**2 + free.x).band(1.5 * free.oscillator.omega_d) or pytest.fail("it has no band")
     assert np.array_equal(low.at(T), free.x.at(T))
     assert np.all(high.at(T) >= (free.x**2 + free.x).at(T))
@@ -208,9 +201,6 @@ def test_a_superposition_knows_its_band_and_its_averages(omegas: tuple[float, fl
     assert values.max() == pytest.approx(high.max(), abs=0.02)
     assert np.trapezoid(averaged.mean.at(T), T) == pytest.approx(np.trapezoid(values**2, fine), rel=0.02)
     assert whole.size() == 2.0 and whole.omega == max(omegas)
-
-
-WINDOWS = [(1.0, 2.0, 4), (1.0, 1.5, 4), (1.0, 1.25, 8), (1.0, 1.02, 100), (1.0, 1.0, 100), (1e-200, 2e-200, 4)]
 
 
 @pytest.mark.parametrize(("slow", "fast", "in_slow_periods"), WINDOWS)

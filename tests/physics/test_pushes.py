@@ -21,6 +21,7 @@ from tests.physics.truth import U, each, log_uniform, reference
 
 each_case = each(reference("periodic"))
 PERIODIC = ("square", "triangle", "pulses", "impulses")
+ONE = DampedOscillator(m=1.5, c=1.2, k=20.0)
 
 
 def pushed(case: dict[str, Any]) -> tuple[DampedOscillator, PushedMass]:
@@ -160,9 +161,6 @@ def test_after_a_push_that_does_not_repeat_a_free_motion_is_left(kind: Any, c: f
         assert mass.from_rest([400.0]).x[0] == pytest.approx(at_last, abs=1e-15)
     with pytest.raises(ValueError, match="a push that repeats is needed"):
         push.line(1)
-
-
-ONE = DampedOscillator(m=1.5, c=1.2, k=20.0)
 
 
 def sliced(count: int, end: float = 6.0, **start: float) -> SlicedPush:

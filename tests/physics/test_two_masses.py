@@ -28,6 +28,17 @@ from tests.physics.truth import CASES, Case, U, case_of, cases, each, eigenvecto
 
 LARGEST = mp.mpf(sys.float_info.max)
 thorough = settings(max_examples=tries(30))
+amount = st.floats(-1.0, 1.0)
+starts = st.tuples(amount, amount) | st.sampled_from([(0.0, 0.0), (1.0, 1.0)])
+LECTURE = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
+WITHIN = ("moderate", "1e+-8", "tuned weak coupling", "k1 = 0", "k2 = 0", "k1 = k2 = 0", "small integers")
+EQUAL_EXPONENTS = [
+    (TwoMassChain(m1=1.0, m2=1.0, k1=0.0, k2=2.0), 2.0),  # a critical pair, no wall
+    (TwoMassChain(m1=1.0, m2=1.0, k1=2.0, k2=0.5), 1.0),  # (s^2 + s + 1)^2
+    (TwoMassChain(m1=5.0, m2=20.0, k1=25.0, k2=4.0), 16.0),  # (s + 1)^4
+]
+MACHINE = TwoMassChain(m1=100.0, m2=16.0, k1=250e3, k2=36864.0)
+STIFF = TwoMassChain(m1=2.0, m2=1.0, k1=1.0, k2=1e12)
 
 
 @truth.each_family
@@ -42,11 +53,6 @@ def test_modes_are_rounded_once(family, data):
     for hi, lo, exactly in zip(modes.omega, modes.omega_lo, true.omega, strict=True):
         if mp.mpf("1e-290") < exactly < LARGEST:
             assert abs(mp.mpf(hi) + mp.mpf(lo) - exactly) <= exactly * mp.mpf(2) ** -105
-
-
-amount = st.floats(-1.0, 1.0)
-starts = st.tuples(amount, amount) | st.sampled_from([(0.0, 0.0), (1.0, 1.0)])
-LECTURE = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
 
 
 @st.composite
@@ -126,14 +132,6 @@ def test_resonance_has_no_steady_amplitude(omega, F_0):
     assert np.all(np.isfinite(damped.motion([100.0]).x))
 
 
-WITHIN = ("moderate", "1e+-8", "tuned weak coupling", "k1 = 0", "k2 = 0", "k1 = k2 = 0", "small integers")
-EQUAL_EXPONENTS = [
-    (TwoMassChain(m1=1.0, m2=1.0, k1=0.0, k2=2.0), 2.0),  # a critical pair, no wall
-    (TwoMassChain(m1=1.0, m2=1.0, k1=2.0, k2=0.5), 1.0),  # (s^2 + s + 1)^2
-    (TwoMassChain(m1=5.0, m2=20.0, k1=25.0, k2=4.0), 16.0),  # (s + 1)^4
-]
-
-
 def check(modes, times):
     """Every number within 0.51 ulp, the smallest too."""
     motion = modes.motion(times)
@@ -195,10 +193,6 @@ def test_what_died_out_long_ago_is_not_worked_out(monkeypatch):
     far = modes.motion([1e189, 2e189])
     np.testing.assert_allclose(far.x, np.sin([1.0, 2.0]) * modes.particular[:2, None].real, rtol=1e-9)
     assert asked and min(asked) > -1e6
-
-
-MACHINE = TwoMassChain(m1=100.0, m2=16.0, k1=250e3, k2=36864.0)
-STIFF = TwoMassChain(m1=2.0, m2=1.0, k1=1.0, k2=1e12)
 
 
 @pytest.mark.parametrize(("chain", "start"), [(STIFF, (1.0, 1.0)), (STIFF, (1.0, 1.000001)), (LECTURE, (1.0, -0.5))])
@@ -286,7 +280,7 @@ def test_roots_shapes_and_kind_are_those_of_the_reference(case: dict[str, Any]) 
     if chain.c1 or chain.c2:
         expected = UNDER_A_MILLIONTH.get(case["id"]) or KINDS[case["kind"].removesuffix(", mixed").split(", double")[0]]
         assert chain.free_motions.kind in expected
-    left = list(zip(chain.roots, chain.shapes, strict=True))
+    left = [*zip(chain.roots, chain.shapes, strict=True)]
     with mp.workdps(50):
         for root in case["roots"]:
             s = mp.mpc(*root["s"])
@@ -469,9 +463,7 @@ def test_the_number_of_pairs_changes_at_meetings_only(case: Case, varied: Any) -
 
 @settings(max_examples=tries(200))
 @given(cases(), st.floats(0.01, 3.0), st.sampled_from(["c1", "c2", "both"]), st.integers(0, 3))
-def test_a_root_dragged_to_a_place_of_its_path_sets_the_value_there(
-    case: Case, value: float, varied: Any, i: int
-) -> None:
+def test_a_root_dragged_to_a_place_of_its_path_sets_the_value_there(case, value, varied, i):
     path = RootPath.of(case.damped, varied)
     s = complex(path.at(value).roots[i])
     if s:

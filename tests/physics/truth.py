@@ -239,12 +239,9 @@ MAGNITUDES = {
 each_magnitude = pytest.mark.parametrize("magnitudes", MAGNITUDES.values(), ids=MAGNITUDES)
 
 
-# Reference cases: inputs in doubles, results as strings of 25 digits.
-
-
 @cache
 def reference(file, part="cases"):
-    """Return the cases of a part of a file."""
+    """Return the cases of a part of a file: inputs in doubles, results as strings of 25 digits."""
     return json.loads((Path(__file__).parents[1] / f"reference/{file}_cases.json").read_text())[part]
 
 
@@ -252,8 +249,6 @@ def each(cases):
     """Parametrize a test by `case`: each second one, or all in whole grids."""
     return pytest.mark.parametrize("case", sample(cases), ids=lambda case: str(case["id"]))
 
-
-# Chains with dashpots, and their free motions as eigenvectors with 120 digits or more.
 
 CASES = reference("poles")
 BRAKED = [case for case in CASES if case["c1"] or case["c2"]]
@@ -286,13 +281,10 @@ def sizes(low: float = -3.0, high: float = 3.0) -> st.SearchStrategy[float]:
     return st.floats(low, high).map(lambda power: float(f"{10**power:.3g}"))
 
 
-def _or_none(one: st.SearchStrategy[float]) -> st.SearchStrategy[float]:
-    return one | one | one | st.just(0.0)
-
-
 @st.composite
 def _any_case(draw: Any) -> Case:
-    m1, m2, k1, k2, c1, c2 = (draw(one) for one in (sizes(), sizes(), *(_or_none(sizes()) for _ in range(4))))
+    size = sizes()
+    m1, m2, k1, k2, c1, c2 = (draw(one) for one in (size, size, *[size | size | size | st.just(0.0)] * 4))
     return Case(TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2), c1, c2 if c1 or c2 else 1.0)
 
 
