@@ -111,16 +111,12 @@ def test_no_number_that_follows_from_a_change_is_in_any_message(slug: str) -> No
         ((name, value),) = values.items()
         default = SCENES[slug].param[name].default
         ratio = three(value / default) if default else ""  # as the comparison writes it
-        given = numbers([set_by_hand(told), told["state"]["parameters"], told["query"], ratio])
+        by_hand = [one for one in told["settings"].values() if isinstance(one["value"], float)]
+        set_to = [(one["value"], one["text"], three(one["value"] / one["size"])) for one in by_hand]
+        given = numbers([set_to, told["state"]["parameters"], told["query"], ratio])
         outcome = numbers([picture_wire(page.now), csv_of(page, page.shown)]) - seen - given
         assert outcome, f"nothing follows from {values}"
         assert outcome & numbers([told, csv_of(page, page.now.to_send[0])]) == set(), values
-
-
-def set_by_hand(told: dict[str, Any]) -> list[Any]:
-    """Return the values of the controls as they are sent, and rounded to three digits as in the comparison."""
-    ones = [one for one in told["settings"].values() if isinstance(one["value"], float)]
-    return [(one["value"], one["text"], three(one["value"] / one["size"])) for one in ones]
 
 
 def csv_of(page: Page, picture: Picture) -> list[list[Any]]:

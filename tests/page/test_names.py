@@ -69,23 +69,19 @@ def test_every_curve_has_its_numbers_and_every_block_is_visible(slug: str) -> No
 
 
 @scenes
-def test_every_shape_is_drawn(slug: str) -> None:
-    """The page's own scripts draw them; a number missing from the picture is an error."""
+def test_every_shape_is_drawn_and_each_form_has_its_words(slug: str) -> None:
+    """The page's own scripts draw the shapes; a number missing from the picture is an error."""
     for scene in every(slug):
         sheet, shown = scene_sheet(type(scene)), scene.shown
-        shapes = [shape for block in in_force(sheet.paper, shown.forms) for shape in getattr(block, "shapes", ())]
+        visible = list(in_force(sheet.paper, shown.forms))
+        shapes = [shape for block in visible for shape in getattr(block, "shapes", ())]
         rows = [row for group in sheet.panel.groups for row in group.rows]
         shapes += [shape for row in rows for part in getattr(row, "pictures", {}).values() for shape in part]
         draw(type(scene), shown, shapes)
-
-
-@scenes
-def test_each_form_has_its_words(slug: str) -> None:
-    for scene in every(slug):
-        for block in in_force(scene.sheet(), scene.shown.forms):
+        for block in visible:
             cells = (cell for row in getattr(block, "rows", ()) for cell in row)
             for one in (*getattr(block, "items", ()), *cells, *getattr(block, "heading", ())):
-                variant = scene.shown.forms.get(one.name if isinstance(one, Forms) else one.form)
+                variant = shown.forms.get(one.name if isinstance(one, Forms) else one.form)
                 assert not variant or variant in one.variants, (one, variant)
 
 

@@ -17,8 +17,6 @@ from components.state.scene_sheet import sheet_address
 from tests.page.headless_page import Page, say, set_values, unpacked
 from tests.scenes.checks import as_arguments, by_link
 
-PRESETS = {"oscillator": "Pulled", "analogues": "10°", "phugoid": "Deep, 0.6"}
-"""The presets with which scenes open; other scenes open with their first."""
 scenes = pytest.mark.parametrize("slug", SCENES)
 
 
@@ -26,7 +24,6 @@ scenes = pytest.mark.parametrize("slug", SCENES)
 def test_a_page_opens_as_its_scene_declares_by_its_address_and_by_a_click(slug: str) -> None:
     scene = visited({"scene": [slug.encode()], "projector": [b""]}, {}).now.scene
     assert {name: scene.values[name] for name in scene.opens} == scene.opens
-    assert scene.preset() == PRESETS.get(slug, next(iter(scene.presets)))
     assert slug != "oscillator" or visited({}, {}).now.scene.values == scene.values, "the first page of all"
     plain = SCENES[slug].at()
     link = write_query(fitted(plain).state, SCENES[slug])

@@ -2,14 +2,13 @@
 descriptions of curves for screen readers."""
 
 import json
-import math
 from pathlib import Path
 from typing import Any
 
 import msgspec
 import pytest
 
-from components.language.signals import Sine, Sines
+from components.quantities import formatting
 from components.quantities.axes import Axis
 from components.state.encoding import COARSE
 from tests.page.scripts import call, each
@@ -17,8 +16,6 @@ from tests.serving.server import ROOT
 from tools.protocol import FILES
 
 TEXTS = json.loads((ROOT / "tests" / "reference" / "number_texts.json").read_text(encoding="utf-8"))
-
-
 STEP = 30 / COARSE  # 0.00046
 KINDS = ("three", "signed", "short", "tidy")
 WRITTEN: dict[str, list[tuple[Any, ...]]] = {
@@ -41,8 +38,10 @@ WRITTEN: dict[str, list[tuple[Any, ...]]] = {
 
 @pytest.mark.parametrize("function", WRITTEN)
 def test_a_number_is_written(function: str) -> None:
-    cases = WRITTEN[function]
-    assert each(f"static/{function}", (case[:-1] for case in cases)) == [case[-1] for case in cases]
+    given, texts = [case[:-1] for case in WRITTEN[function]], [case[-1] for case in WRITTEN[function]]
+    assert each(f"static/{function}", given) == texts
+    if (name := function.rpartition(".")[2]) in KINDS:
+        assert [getattr(formatting, name)(*one) for one in given] == texts, "as in Python"
 
 
 AXES = [Axis(0.5, 4.0, exponent=-4), Axis(0.5, 4.0, power=2, exponent=-4), Axis(0.5, 4.0, log=True, factor=0.3048)]
@@ -54,16 +53,6 @@ def test_a_place_on_an_axis_stands_for_a_quantity_as_in_python_and_back(axis: Ax
         place = call("static/core/ruler.toPlace", axis.ruler, value)
         assert place == pytest.approx(axis.place(value), rel=1e-14)
         assert call("static/core/ruler.toSI", axis.ruler, place) == pytest.approx(value, rel=1e-14)
-
-
-def test_sines_with_a_line_and_a_decay() -> None:
-    sines = (Sine(1.5, 2.0, 0.3, 0.1), Sine(-0.2, 3.1, -2.0), Sine(4.0, 0.0, 1.0, 2.0, 3.0))
-    for t in (0.0, 0.02, 0.5, 7.0, 300.0):
-        found = call("static/core/signals.evaluate", {"x": Sines(sines=sines, line=(0.5, -0.01))}, {}, t)["x"]
-        waves = (
-            (one.size + one.slope * t) * math.exp(-one.decay * t) * math.sin(one.omega * t + one.phase) for one in sines
-        )
-        assert found == pytest.approx(0.5 - 0.01 * t + sum(waves), rel=1e-12)
 
 
 X, Y = Axis(0.0, 10.0, "s"), Axis(-2.0, 2.0, "m")

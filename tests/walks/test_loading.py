@@ -340,17 +340,9 @@ def period(
     state: str, cover: str = '["value:tau"]', of: str = "tau", unit: str = "s", question: str = "How long is it?",
     id: str = "one",
 ) -> str:  # fmt: skip
-    text, answer = ENERGY.removeprefix(TITLE).partition("misses")[0], f'of = "{of}", unit = "{unit}", tol = 0.01'
-    changes = {
-        "first": id,
-        "How long?": question,
-        "energy": state,
-        BOTH: cover,
-        f'{OF_TAU}, unit = "s", tol = 0.1': answer,
-    }
-    for old, new in changes.items():
-        text = text.replace(old, new, 1)
-    return text
+    head = f'[[step]]\nid = "{id}"\nkind = "number"\ntitle = "t"\nquestion = "{question}"\nexplain = "e"\n'
+    answer = f'answer = {{ of = "{of}", unit = "{unit}", tol = 0.01 }}\n'
+    return f'{head}state = "?scene={state}"\ncover = {cover}\n{answer}'
 
 
 @pytest.mark.parametrize(

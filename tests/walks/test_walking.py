@@ -273,7 +273,7 @@ def test_a_sketch_has_its_features_in_any_style(y: Any, x: Any, expected: list[b
     assert [one.seen(drawn(y, x)).has for one in features] == expected
 
 
-def test_a_feature_is_found_at_its_place_and_no_gap_or_edge_is_one() -> None:
+def test_a_feature_is_found_at_its_place_no_gap_or_edge_is_one_and_a_sum_is_of_both_curves() -> None:
     found = TROUGH.seen(drawn(SWING))
     assert (found.x, found.y) == pytest.approx((0.25, -0.16), abs=0.02)
     assert [one.seen(drawn(SWING)).number for one in (PERIOD, ZERO)] == pytest.approx([1.0, 0.5], abs=1e-3)
@@ -285,12 +285,9 @@ def test_a_feature_is_found_at_its_place_and_no_gap_or_edge_is_one() -> None:
     assert not edge.seen(drawn(0.16 - 0.1 * T)).has
     t = np.linspace(0, 1, 20)
     assert turns(t, np.zeros(20)) == turns(t, t) == turns(t, np.exp(-t)) == []
-
-
-def test_a_sum_is_that_of_both_curves() -> None:
     both = feature(f="sum", **{"with": "V", "is": 0.0}, tol=0.02)
-    found = [both.seen(Sketch(T, SWING, FRAME, other)).has for other in (drawn(-SWING), drawn(SWING), None)]
-    assert found == [True, False, False]
+    sums = [both.seen(Sketch(T, SWING, FRAME, other)).has for other in (drawn(-SWING), drawn(SWING), None)]
+    assert sums == [True, False, False]
 
 
 @pytest.mark.parametrize("away", [0.35, 9.0])
