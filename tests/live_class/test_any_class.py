@@ -395,10 +395,7 @@ class AnyClass(RuleBasedStateMachine):
         assert set(found) == {f"{n + 1}" for n in range(len(expected))}  # numbers that identify nobody
         questions = {name.rpartition("/")[0] for name in self.votes}
         assert await stored(registry, room) == said.Stored(answers=len(rows), questions=len(questions))
-        await self.check_summary()
-
-    async def check_summary(self) -> None:
-        """A question with right and wrong answers has its votes, and the mistake that is made most in the last one."""
+        # A question with right and wrong answers has its votes, and the mistake that is made most in the last one.
         summed = await summary(self.registries[0], self.rooms[0])
         judged = dict.fromkeys(name.rpartition("/")[0] for name in self.votes if asked_in(name).answers[0].right)
         assert [f"{one.walk}/{one.step}" for one in summed] == list(judged)

@@ -94,9 +94,7 @@ def test_lengths_grow_with_the_text_and_lines_with_their_drawing() -> None:
         *((query, True) for query in ("?scene=coupled", "?k2=3", "?walk=d34&step=d34-02", "in a frame")),
     ],
 )
-def test_a_link_that_opens_no_scene_shows_the_start_page_and_takes_no_place(
-    query: str, opens: bool, server: Server
-) -> None:
+def test_a_link_that_opens_no_scene_shows_the_start_page(query: str, opens: bool, server: Server) -> None:
     def arrivals() -> float:
         return float(re.findall(r"^oscillations_arrivals_total (\S+)$", ask(server.url, "/metrics").text, re.M)[0])
 
@@ -126,9 +124,7 @@ def test_the_scripts_of_a_page_are_named_by_their_hash_and_nothing_else_runs(pat
 
 @pytest.mark.browser
 @pytest.mark.parametrize("slug", sample([*SCENES], 4))
-def test_a_scene_needs_nothing_that_its_page_does_not_allow(
-    server: Server, new_page: Callable[..., Page], slug: str
-) -> None:
+def test_a_scene_needs_only_what_its_page_allows(server: Server, new_page: Callable[..., Page], slug: str) -> None:
     """A browser reports refused content on its console; a script from elsewhere is refused."""
     page = new_page(bypass_csp=False)
     page.goto(f"{server.url}?scene={slug}")

@@ -103,9 +103,7 @@ def results(*asked: Future[Replied]) -> list[str]:
     return [one.result(60).refused for one in asked]
 
 
-def test_a_job_that_takes_too_long_is_refused_in_words_and_the_next_is_done(
-    worker: ReadingProcess, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_job_that_takes_too_long_is_refused_in_words(worker: ReadingProcess, monkeypatch: pytest.MonkeyPatch) -> None:
     GATE.set()
     asked = [worker.ask(job) for job in (READ, ENDLESS, LinkExport({}, ""), Fitting([], [[]], 2, 0), READ)]
     assert results(*asked) == ["read", own.WALK_TOO_LONG, own.FILE_TOO_LONG, own.FIT_TOO_LONG, "read"]
@@ -132,9 +130,7 @@ def test_networks_take_turns(worker: ReadingProcess) -> None:
     assert order[:5] == [GREEDY, CALM, "", GREEDY, CALM]
 
 
-def test_a_network_that_has_used_its_time_is_refused_for_a_while(
-    worker: ReadingProcess, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_network_that_has_used_its_time_must_wait(worker: ReadingProcess, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(own, "ALLOWANCE", 2)
     GATE.set()
     with closing(ReadingProcess("fake")) as other:

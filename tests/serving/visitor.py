@@ -44,10 +44,10 @@ def _decoded(text: str) -> bytes:
     return base64.urlsafe_b64decode(text + "=" * (-len(text) % 4))
 
 
-async def refused(url: str, token: str) -> int:
+async def refused(url: str, token: str, headers: dict[str, str] | None = None) -> int:
     """Return the status of a refused handshake, or 101 if it was accepted."""
     try:
-        await (await Caller.connect(url, token)).depart()
+        await (await Caller.connect(url, token, headers)).depart()
     except HTTPClientError as error:
         return error.code
     return 101
