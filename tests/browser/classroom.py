@@ -6,8 +6,8 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.browser.fixtures import CONNECTED, READY
-from tests.browser.touch import stroke
+from tests.browser.fixtures import CONNECTED, READY, Open
+from tests.browser.waiting import stroke
 from tests.serving.server import Server
 
 LED = "globalThis.oscillations?.classes?.led"
@@ -17,10 +17,8 @@ FRAME = """(() => { const {pad, marker} = (oscillations.walks?.walk ?? oscillati
   return [b.left + f.left, b.top + f.top, f.width, f.height] })()"""
 """The frame in which a sketch is drawn or a point is marked, on a phone or on a visitor's own page."""
 
-Open = Callable[[str, int, int], Page]
 
-
-def opening(make: Callable[..., Page], url: str) -> Open:
+def opening(make: Open, url: str) -> Open:
     """Opens addresses below `url` on new pages."""
 
     def go(query: str, width: int, height: int) -> Page:
@@ -32,12 +30,12 @@ def opening(make: Callable[..., Page], url: str) -> Open:
 
 
 @pytest.fixture
-def window(server: Server, new_page: Callable[..., Page]) -> Open:
+def window(server: Server, new_page: Open) -> Open:
     return opening(new_page, server.url)
 
 
 @pytest.fixture
-def failing(server: Server, quiet: Callable[..., Page]) -> Open:
+def failing(server: Server, quiet: Open) -> Open:
     """Pages for a class in which requests fail on purpose; browsers log these as errors."""
     return opening(quiet, server.url)
 
@@ -61,10 +59,9 @@ def joined(window: Open, code: str, width: int = 390, height: int = 844) -> Page
 def put(step: str, lecture: Page, *phones: Page, timeout: float | None = None) -> None:
     """Wait until hall and phones ask a step."""
     lecture.wait_for_function("step => oscillations.walks.walk?.step?.id === step", arg=step, timeout=timeout)
+    asked = "step => oscillations.asked.question?.step === step && oscillations.asked.card"
     for phone in phones:
-        phone.wait_for_function(
-            "step => oscillations.asked.question?.step === step && oscillations.asked.card", arg=step, timeout=timeout
-        )
+        phone.wait_for_function(asked, arg=step, timeout=timeout)
 
 
 def sent(phone: Page, timeout: float | None = None) -> None:

@@ -21,22 +21,15 @@ READY = "document.documentElement.dataset.ready === 'true'"
 CONNECTED = f"{READY} && document.documentElement.dataset.connected === 'true'"
 # Long enough for a busy machine, but shorter than the page's own timers of 10 s.
 expect.set_options(timeout=9_000)
-
-
+Open = Callable[..., Page]
 CALMER = """{
-  const real = requestAnimationFrame
-  const waiting = new Map()
-  let last = 0, count = 0
-  const pump = now => {
-    if (++count % 3) return real(pump)
-    const due = [...waiting.values()]
-    waiting.clear()
-    for (const act of due) try { act(now) } catch (fault) { reportError(fault) }
-  }
+  const real = requestAnimationFrame, waiting = new Set()
+  let last = 0
   globalThis.requestAnimationFrame = act => {
-    if (!waiting.size) real(pump)
-    waiting.set(++last, act)
-    return last
+    const id = ++last
+    waiting.add(id)
+    real(() => real(() => real(now => waiting.delete(id) && act(now))))
+    return id
   }
   globalThis.cancelAnimationFrame = id => waiting.delete(id)
 }"""
@@ -44,7 +37,7 @@ CALMER = """{
 
 
 @contextmanager
-def visitors(browser: Browser, home: str = "") -> Iterator[Callable[..., Page]]:
+def visitors(browser: Browser, home: str = "") -> Iterator[Open]:
     """Makes pages, each in its own context: `new_page(width=390, height=844, color_scheme="dark")` and whatever else a
     context takes.
 
@@ -119,26 +112,26 @@ def browser() -> Iterator[Browser]:
 
 
 @pytest.fixture
-def new_page(browser: Browser, server: Server) -> Iterator[Callable[..., Page]]:
+def new_page(browser: Browser, server: Server) -> Iterator[Open]:
     """Makes a visitor's pages, without any fault."""
     with visitors(browser, server.url) as make:
         yield make
 
 
 @pytest.fixture
-def quiet(browser: Browser) -> Iterator[Callable[..., Page]]:
+def quiet(browser: Browser) -> Iterator[Open]:
     """Makes pages that may log errors to the console, as a browser does without a network."""
     with visitors(browser) as make:
         yield make
 
 
 @pytest.fixture
-def page(new_page: Callable[..., Page]) -> Page:
+def page(new_page: Open) -> Page:
     return new_page()
 
 
 @pytest.fixture(scope="session")
-def shared(browser: Browser, server: Server) -> Iterator[Callable[..., Page]]:
+def shared(browser: Browser, server: Server) -> Iterator[Open]:
     """Makes one page of each size for all tests."""
     with visitors(browser, server.url) as make:
         yield cache(make)
@@ -167,7 +160,7 @@ def phone(request: pytest.FixtureRequest) -> Page:
 
 
 @pytest.fixture
-def open_scene(server: Server) -> Callable[..., Page]:
+def open_scene(server: Server) -> Open:
     """Opens a link on a page and waits until the scene is drawn: `open_scene(page, scene="forced", k2=3)`.
 
     All controls of the panel are unfolded, and a scene alone is opened at its defaults; `folded=True` leaves the page

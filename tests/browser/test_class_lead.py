@@ -1,17 +1,14 @@
-"""The instructor's other means: a remote control, a countdown, votes aloud, another computer. A class whose server is
-killed, whose requests get lost, or that needs a passphrase.
-"""
+"""A class: remote control, countdown, votes aloud, another computer; a killed server, lost requests, a passphrase."""
 
 import json
 import re
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from playwright.sync_api import FilePayload, Page, Request, Route, expect
 
-from tests.browser.classroom import FILLED, LED, Open, counted, joined, opening, put, remote_of, sent, taught, ticket
-from tests.browser.fixtures import CONNECTED, READY, another_version
+from tests.browser.classroom import FILLED, LED, counted, joined, opening, put, remote_of, sent, taught, ticket
+from tests.browser.fixtures import CONNECTED, READY, Open, another_version
 from tests.browser.waiting import MINE, QUIET, clicked, drop, passed, tap
 from tests.live_class.caller import call
 from tests.serving.server import Server, serving
@@ -20,29 +17,29 @@ from tools.reconnect.site import GatedSite
 pytestmark = pytest.mark.browser
 BUZZES = """() => { globalThis.buzzes = 0
   Object.defineProperty(navigator, "vibrate", {value: () => { globalThis.buzzes += 1; return true }}) }"""
-PRESSES = ("Show the votes", "Show the answer", "Show the explanation", "Next")
 CLOSES = "Close the QR code"
-HEAD = "phone,time,here,walk,step,vote,question,answer,unit,right,sure\r\n"
 ANSWERS = ["Just as long as it did before"] * 3 + ["Longer: the distance is longer"]
-TABLE = HEAD + "".join(f"{i},,9,d31,d31-03,1,How long?,{answer},,no,\r\n" for i, answer in enumerate(ANSWERS))
-THIRTY = re.compile("0:(30|2[0-9])")
-FORTY_FIVE = re.compile("0:(4[0-5]|3[1-9])")
+TABLE = "phone,time,here,walk,step,vote,question,answer,unit,right,sure\r\n" + "".join(
+    f"{i},,9,d31,d31-03,1,How long?,{answer},,no,\r\n" for i, answer in enumerate(ANSWERS)
+)
 SHOWN = """JSON.stringify([oscillations.shown.state, oscillations.walks.walk.numbers,
   document.querySelector("h1").innerHTML])"""
+BACK = 30_000
+"""Milliseconds in which pages must reconnect."""
+READING = 3 * BACK
+"""The same for a new process of the server that reads walks."""
+LOADS = "sessionStorage.getItem('loads')"
+HEARD = "globalThis.oscillations?.news?.number"
 
 
-def compared(lecture: Page) -> None:
-    """The votes of an earlier class come from its CSV."""
+def briefed(server: Server, code: str, lecture: Page, phone: Page, remote: Page) -> None:
+    """The remote control says what the class answers, and what the next press does. An earlier class is compared."""
     lecture.keyboard.press("j")
     with lecture.expect_file_chooser() as chooser:
         lecture.get_by_role("button", name="Votes of an earlier class").click()
     chooser.value.set_files(FilePayload(name="class.csv", mimeType="text/csv", buffer=TABLE.encode()))
     expect(lecture.get_by_text("Its votes on 1 question are outlined.")).to_be_visible()
     lecture.keyboard.press("j")
-
-
-def briefed(server: Server, code: str, lecture: Page, phone: Page, remote: Page) -> None:
-    """The remote control says what the class answers, and what the next press does."""
     body = remote.locator(".remote-body")
     expect(body).to_contain_text("0 of 1 have answered")
     for option in (0, 0, 1, 2, 2):
@@ -55,7 +52,7 @@ def briefed(server: Server, code: str, lecture: Page, phone: Page, remote: Page)
     tap(phone, 0)
     remote.wait_for_function("globalThis.buzzes > 0")  # all have answered
     forward = remote.locator(".remote-deeds .filled")
-    for words in PRESSES:
+    for words in ("Show the votes", "Show the answer", "Show the explanation", "Next"):
         expect(forward).to_have_text(words)
         offered = remote.locator(".remote-deeds .act:visible").all_inner_texts()
         assert CLOSES not in offered and ("Vote again" in offered) == (words == "Show the answer")
@@ -74,10 +71,10 @@ def counted_down(server: Server, code: str, lecture: Page, phone: Page, remote: 
         expect(timer).to_have_count(0)  # hidden
     lecture.keyboard.press("d")
     for timer in timers:
-        expect(timer).to_have_text(THIRTY)
+        expect(timer).to_have_text(re.compile("0:(30|2[0-9])"))
     remote.get_by_role("button", name="15 s more").click()
     for timer in timers:
-        expect(timer).to_have_text(FORTY_FIVE)
+        expect(timer).to_have_text(re.compile("0:(4[0-5]|3[1-9])"))
     close = lecture.get_by_role("button", name="Close at 0")
     close.click()
     expect(close).to_have_attribute("aria-pressed", "true")
@@ -91,8 +88,8 @@ def counted_down(server: Server, code: str, lecture: Page, phone: Page, remote: 
         expect(timer).to_have_count(0)
 
 
-def aloud(lecture: Page, phone: Page) -> None:
-    """A vote on what is said aloud leads back to the open step, which shows nothing by itself."""
+def aloud(lecture: Page, phone: Page, remote: Page) -> None:
+    """A vote on what is said aloud leads back to the open step and shows nothing by itself. Then the other buttons."""
     covered = lecture.evaluate("oscillations.shown.state.covered")
     lecture.keyboard.press("v")
     put("vote-1", lecture, phone)
@@ -105,10 +102,6 @@ def aloud(lecture: Page, phone: Page) -> None:
     expect(lecture.locator(FILLED)).to_have_text("Go on")
     clicked(lecture)
     put("d31-04", lecture, phone)
-
-
-def pressed(lecture: Page, remote: Page) -> None:
-    """The other buttons of the remote control."""
     lecture.keyboard.press("j")
     remote.get_by_role("button", name=CLOSES).click()
     expect(lecture.get_by_role("dialog", name="Join the class")).to_have_count(0)
@@ -133,16 +126,6 @@ def explained(lecture: Page, *phones: Page) -> None:
         expect(phone.locator(".card .after > *").first).to_be_attached()  # with the reply to the phone's own answer
 
 
-def in_step(lecture: Page, phone: Page) -> None:
-    """The class has the lecture's clock."""
-    lecture.evaluate("oscillations.walks.walk.show(true)")
-    for page in (lecture, phone):
-        page.wait_for_function("oscillations.clock.playing")
-    lecture.keyboard.press("Space")
-    at = lecture.evaluate("oscillations.clock.t")
-    phone.wait_for_function("t => !oscillations.clock.playing && Math.abs(oscillations.clock.t - t) < 1e-6", arg=at)
-
-
 def taken_over(lecture: Page, other: Page) -> None:
     """Another computer continues in the same state; this one keeps its picture."""
     lecture.evaluate("oscillations.clock.playing = false; oscillations.clock.seek(0)")
@@ -163,29 +146,21 @@ def taken_over(lecture: Page, other: Page) -> None:
     assert not lecture.evaluate(LED)
 
 
-def ended(lecture: Page, remote: Page) -> None:
-    """The remote control asks on the first screen, too, before it ends a class."""
-    dialog = lecture.get_by_role("dialog", name="End the class")
-    for answer in ("Cancel", "End the class"):
-        remote.get_by_role("button", name="End the class").click()
-        expect(dialog).to_contain_text("This deletes 8 answers to 3 questions.")
-        assert lecture.evaluate(f"{LED} && !{LED}.isOver")
-        remote.get_by_role("button", name=answer).click()
-        expect(dialog).to_have_count(0)
-
-
 @pytest.mark.timeout(400)  # four windows on a busy machine
 def test_a_remote_control_and_another_computer_lead(server: Server, window: Open, failing: Open) -> None:
     lecture, code = taught(window, "walk=d31&step=d31-03&projector", 1280, 720)
     remote, phone = remote_of(lecture, failing), joined(window, code)
     remote.evaluate(BUZZES)
     put("d31-03", lecture, phone)
-    compared(lecture)
     briefed(server, code, lecture, phone, remote)
     counted_down(server, code, lecture, phone, remote)
-    aloud(lecture, phone)
-    pressed(lecture, remote)
-    in_step(lecture, phone)
+    aloud(lecture, phone, remote)
+    lecture.evaluate("oscillations.walks.walk.show(true)")
+    for page in (lecture, phone):
+        page.wait_for_function("oscillations.clock.playing")
+    lecture.keyboard.press("Space")
+    at = lecture.evaluate("oscillations.clock.t")
+    phone.wait_for_function("t => !oscillations.clock.playing && Math.abs(oscillations.clock.t - t) < 1e-6", arg=at)
     lecture.evaluate("oscillations.walks.walk.go(1)")
     put("d31-02", lecture, phone)
     phone.get_by_role("textbox", name="Your answer").fill("2")
@@ -193,7 +168,13 @@ def test_a_remote_control_and_another_computer_lead(server: Server, window: Open
     other = failing("", 1280, 720)
     taken_over(lecture, other)
     explained(other, phone)
-    ended(other, remote)
+    dialog = other.get_by_role("dialog", name="End the class")
+    for answer in ("Cancel", "End the class"):  # the remote control asks on the first screen, too
+        remote.get_by_role("button", name="End the class").click()
+        expect(dialog).to_contain_text("This deletes 8 answers to 3 questions.")
+        assert other.evaluate(f"{LED} && !{LED}.isOver")
+        remote.get_by_role("button", name=answer).click()
+        expect(dialog).to_have_count(0)
     for page in (phone, remote):
         expect(page.get_by_role("heading", name="The class is over.")).to_be_visible()
 
@@ -220,17 +201,9 @@ def test_who_looks_around_cannot_show_the_step_that_the_lecture_asks(window: Ope
     own.wait_for_function("Boolean(oscillations.walks.walk.lesson)")
 
 
-BACK = 30_000
-"""Milliseconds in which pages must reconnect."""
-READING = 3 * BACK
-"""The same for a new process of the server that reads walks."""
-COPIED = f"""Object.keys({LED}.copies.answers.get('mine/pull/1') ?? {{}}).length === 3 && !{LED}.copies.stale.size"""
-"""The instructor's page has copies of three answers."""
-
-
 @pytest.mark.slow
 @pytest.mark.timeout(400)  # five windows
-def test_no_answer_is_lost_when_the_server_is_killed(quiet: Callable[..., Page], tmp_path: Path) -> None:
+def test_no_answer_is_lost_when_the_server_is_killed(quiet: Open, tmp_path: Path) -> None:
     with GatedSite(tmp_path) as site:
         window = opening(quiet, site.url)
         lecture, code = taught(window, "scene=oscillator", 1280, 844)
@@ -257,7 +230,8 @@ def test_no_answer_is_lost_when_the_server_is_killed(quiet: Callable[..., Page],
         remote.get_by_role("button", name="Show the answer").click()
         lecture.wait_for_function("oscillations.walks.walk.lesson")
         expect(phones[2].get_by_text("Twice the pull is twice the force")).to_be_visible()
-        lecture.wait_for_function(COPIED)
+        copies = f"{LED}.copies.answers.get('mine/pull/1') ?? {{}}"  # of three answers
+        lecture.wait_for_function(f"Object.keys({copies}).length === 3 && !{LED}.copies.stale.size")
         site.kill()  # the instructor's page is loaded again, too, after the answer was shown
         site.start()
         lecture.reload()
@@ -269,15 +243,10 @@ def test_no_answer_is_lost_when_the_server_is_killed(quiet: Callable[..., Page],
             expect(page.locator("h1")).to_contain_text("The class is over.", timeout=2 * BACK)
 
 
-COUNT = "sessionStorage.setItem('loads', 1 + Number(sessionStorage.getItem('loads')))"
-LOADS = "sessionStorage.getItem('loads')"
-HEARD = "globalThis.oscillations?.news?.number"
-
-
 def test_a_phone_of_another_version_reloads_the_page_but_not_twice_at_once(server: Server, failing: Open) -> None:
     page = failing(f"class={call(server.url, '/class', 'POST').json['code']}", 390, 844)
     page.wait_for_function(HEARD)
-    page.add_init_script(COUNT)
+    page.add_init_script(f"sessionStorage.setItem('loads', 1 + Number({LOADS}))")
     page.route(f"{server.url}?*", another_version)
     page.reload(wait_until="commit")  # the page reloads, perhaps before all of this one is loaded
     page.wait_for_function(f"{LOADS} === '2' && {HEARD}")
@@ -302,10 +271,7 @@ def test_a_class_is_opened_once_has_the_files_numbers_and_repeats_a_lost_order(f
         told = json.loads(route.request.post_data or "{}")
         if told["type"] == "put":
             steps.append(told["step"])
-        if steps == ["d31-03"]:
-            route.abort()
-        else:
-            route.continue_()
+        (route.abort if steps == ["d31-03"] else route.continue_)()
 
     lecture.route(re.compile("/lead$"), first_lost)
     for place in (2, 3):
@@ -315,12 +281,10 @@ def test_a_class_is_opened_once_has_the_files_numbers_and_repeats_a_lost_order(f
     assert len(made) == lecture.locator(".class-code").count() == 1
 
 
-PHRASE = "swinging über springs"
-
-
 @pytest.mark.slow  # it starts a server
-def test_a_passphrase_is_asked_for_and_the_qr_code_lets_phones_in(tmp_path: Path, quiet: Callable[..., Page]) -> None:
-    with serving(tmp_path / "log", environment={"CLASS_PASSPHRASE": PHRASE}) as server:
+def test_a_passphrase_is_asked_for_and_the_qr_code_lets_phones_in(tmp_path: Path, quiet: Open) -> None:
+    phrase = "swinging über springs"
+    with serving(tmp_path / "log", environment={"CLASS_PASSPHRASE": phrase}) as server:
         window = opening(quiet, server.url)
         page = window("scene=coupled", 1280, 800)
         page.wait_for_function(CONNECTED)
@@ -330,7 +294,7 @@ def test_a_passphrase_is_asked_for_and_the_qr_code_lets_phones_in(tmp_path: Path
         dialog.get_by_label("Passphrase").fill("another one")
         page.keyboard.press("Enter")
         expect(dialog.get_by_role("heading")).to_have_text(re.compile("^This is not the instructors' passphrase"))
-        dialog.get_by_label("Passphrase").fill(PHRASE)
+        dialog.get_by_label("Passphrase").fill(phrase)
         dialog.get_by_role("button", name="Open the class").click()
         page.wait_for_function(LED)
         code, address = page.evaluate(f"[{LED}.room.code, {LED}.room.address]")

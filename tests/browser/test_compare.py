@@ -1,42 +1,41 @@
 """The curves of before: held, left by a drag, or hidden by a prediction. Undo, the back button, from scene to scene."""
 
 import re
-from collections.abc import Callable
 
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
 from components.scenes import SCENES
-from tests.browser.fixtures import READY
+from tests.browser.fixtures import READY, Open
 from tests.browser.waiting import QUIET, is_shown, seek, turned, type_in, typed
 from tests.grids import sample
 
 pytestmark = pytest.mark.browser
-Open = Callable[..., Page]
 DRAWN = """[...oscillations.plots.find(plot => plot.block.name === 'x').host
   .querySelectorAll('.ghosts path')].map(path => path.getAttribute('d').split('L').length)"""
 END = "oscillations.shown.view.axes.x.end"
-WIDTH = "(({start, end}) => end - start)(oscillations.shown.view.axes.x)"
+WIDE = "(({start, end}) => end - start)(oscillations.shown.view.axes.x) > 2"
 STAGE = "document.querySelector('.stage').innerHTML"
 LOOK = "one => Number(getComputedStyle(one).opacity)"
-LINGERED = "since => performance.now() > since + 1700"  # longer than earlier curves stay on their own
 ENDED = f"!oscillations.page.compare.undoGroup && !oscillations.page.hand.grab && {QUIET}"
 PRESS = """([key, count]) => {
   for (const type of Array(count).fill(["keydown", "keyup"]).flat())
     document.activeElement.dispatchEvent(new KeyboardEvent(type, {key, bubbles: true, cancelable: true}))
 }"""
 """A key, pressed so often that there is no pause between presses."""
-
-
-def is_wide(page: Page) -> None:
-    page.wait_for_function(f"{WIDTH} > 2")
+SAME_PLACES = """() => oscillations.plots.filter(plot => plot.figure.manager).every(plot => {
+  const [view] = plot.figure.manager
+  return ["left", "top", "width", "height"].every(side => view.frame.bbox[side] === plot.frame[side])
+})"""
+NAVIGATION = "[...document.querySelectorAll('.nav a, .nav button')].map(one => one.textContent || one.ariaLabel)"
 
 
 def is_fitted(page: Page) -> None:
     """With the earlier curves under the new ones until the next change."""
-    page.wait_for_function(f"{WIDTH} < 1")
+    page.wait_for_function(WIDE.replace("> 2", "< 1"))
     page.wait_for_function(f"{DRAWN}.length")
-    page.wait_for_function(LINGERED, arg=page.evaluate("performance.now()"))
+    since = page.evaluate("performance.now()")  # longer than earlier curves stay on their own
+    page.wait_for_function(f"performance.now() > {since} + 1700")
     assert page.evaluate(f"{DRAWN}.length")
 
 
@@ -77,21 +76,8 @@ def armed(page: Page, button: Locator) -> None:
     assert page.locator(".transport .play").evaluate(LOOK) == 1
 
 
-def is_still(page: Page) -> None:
-    """Nothing plays, the stage is as it was, and of the bar only the reason is heard."""
-    expect(page.locator(".transport .note")).to_contain_text("Press Reveal to see it and to play")
-    assert page.locator(".transport .play").evaluate(LOOK) < 0.5, "what does nothing looks so"
-    expect(page.locator(".transport [inert] .play, .transport .play[inert]")).to_have_count(1)
-    stood = page.evaluate(STAGE)
-    page.evaluate("document.activeElement.blur()")
-    page.keyboard.press("Space")
-    assert not page.evaluate("oscillations.clock.playing")
-    page.evaluate("oscillations.clock.seek(1); new Promise(done => requestAnimationFrame(() => setTimeout(done)))")
-    assert page.evaluate(STAGE) == stood
-
-
 def test_what_the_next_change_shows_waits_for_a_prediction_in_its_place(desk: Page) -> None:
-    """It is armed by keys and revealed by mouse and keys."""
+    """It is armed by keys and revealed by mouse and keys. Nothing plays, and of the bar only the reason is heard."""
     places = "[...document.querySelectorAll('.paper .block')].map(b => JSON.stringify(b.getBoundingClientRect()))"
     turned(desk, "coupled", {})
     button, covers = desk.get_by_role("button", name="Predict"), desk.locator(".cover:visible")
@@ -103,10 +89,16 @@ def test_what_the_next_change_shows_waits_for_a_prediction_in_its_place(desk: Pa
     assert desk.evaluate(places) == before
     for view, count in (("Energy", 1), ("x₂ against x₁", 1), ("Motion", 2)):
         desk.get_by_role("tab", name=view).click()
-        expect(desk.get_by_role("tab", name=view, selected=True)).to_be_visible()
         expect(covers).to_have_count(count)
-    is_still(desk)
-    stood = desk.evaluate(STAGE)
+    stood, play = desk.evaluate(STAGE), desk.locator(".transport [inert] .play, .transport .play[inert]")
+    expect(desk.locator(".transport .note")).to_contain_text("Press Reveal to see it and to play")
+    expect(play).to_have_count(1)
+    assert play.evaluate(LOOK) < 0.5, "what does nothing looks so"
+    desk.evaluate("document.activeElement.blur()")
+    desk.keyboard.press("Space")
+    assert not desk.evaluate("oscillations.clock.playing")
+    seek(desk, 1)
+    assert desk.evaluate(STAGE) == stood
     desk.keyboard.press("r")
     desk.wait_for_function(f"stood => {STAGE} !== stood", arg=stood)
     expect(desk.locator("[data-value=omega_minus]:visible").first).to_have_text("1.10")
@@ -129,10 +121,10 @@ def test_a_sweep_by_mouse_or_keys_is_one_change_that_fits_the_axes_when_it_ends(
     page.mouse.move(box["x"] + 0.5 * width, y)
     page.mouse.down()
     page.mouse.move(box["x"] - 20, y, steps=5)
-    is_wide(page)
+    page.wait_for_function(WIDE)
     page.mouse.move(box["x"] + 0.6 * width, y, steps=5)
     page.wait_for_function(f"oscillations.shown.settings.k.value > 10 && {QUIET}")
-    is_wide(page)  # a drag only widens it
+    page.wait_for_function(WIDE)  # a drag only widens it
     page.mouse.up()
     is_fitted(page)
     page.get_by_role("button", name="Undo", exact=True).click()
@@ -144,7 +136,7 @@ def test_a_sweep_by_mouse_or_keys_is_one_change_that_fits_the_axes_when_it_ends(
     turned(page, "oscillator", {})
     page.locator("input[name=k-slider]").focus()
     page.evaluate(PRESS, ["PageDown", 9])
-    is_wide(page)
+    page.wait_for_function(WIDE)
     page.evaluate(PRESS, ["PageUp", 12])
     is_fitted(page)
     page.wait_for_function(ENDED)
@@ -163,14 +155,9 @@ def test_fit_by_button_key_and_double_click(desk: Page) -> None:
     window = "oscillations.shown.view.axes.t.end"
     turned(desk, "oscillator", {})
     button = desk.get_by_role("button", name="Fit", exact=True)
-    expect(button).not_to_be_visible()
-
-    def press_key() -> None:
-        desk.locator("h1").focus()
-        desk.keyboard.press("0")
-
-    for deed in (button.click, press_key, desk.locator(".plot-area").first.dblclick):
+    for deed in (button.click, lambda: desk.locator("h1").press("0"), desk.locator(".plot-area").first.dblclick):
         before = desk.evaluate(window)
+        expect(button).not_to_be_visible()
         type_in(desk, "m", "4")
         is_shown(desk, m=4)
         assert desk.evaluate(window) == before
@@ -180,7 +167,6 @@ def test_fit_by_button_key_and_double_click(desk: Page) -> None:
         assert desk.evaluate(window) == pytest.approx(2 * before)
         desk.get_by_role("button", name="Pushed back").click()
         is_shown(desk, m=1)
-        expect(button).not_to_be_visible()
 
 
 def test_changes_are_undone_one_by_one_and_done_again(page: Page, open_scene: Open) -> None:
@@ -235,13 +221,6 @@ def test_a_preset_plays_from_the_start_says_what_to_watch_and_keeps_what_it_does
     expect(note).not_to_contain_text("half as fast")
 
 
-SAME_PLACES = """() => oscillations.plots.filter(plot => plot.figure.manager).every(plot => {
-  const [view] = plot.figure.manager
-  return ["left", "top", "width", "height"].every(side => view.frame.bbox[side] === plot.frame[side])
-})"""
-NAVIGATION = "[...document.querySelectorAll('.nav a, .nav button')].map(one => one.textContent || one.ariaLabel)"
-
-
 def turn(page: Page, slug: str) -> None:
     page.locator(f".nav nav a[data-scene={slug}]").evaluate("link => link.click()")
     arrived(page, slug)
@@ -261,12 +240,10 @@ def test_every_scene_is_reached_without_loading_a_page(page: Page, open_scene: O
     for slug in (*sample([*SCENES]), "coupled"):
         turn(page, slug)
         assert page.title() == f"{SCENES[slug].headline} – Oscillations"
-        assert page.evaluate("document.documentElement.lang") == "en"
-        assert page.evaluate(NAVIGATION) == navigation
+        assert page.evaluate(f"[document.documentElement.lang, {NAVIGATION}]") == ["en", navigation]
         expect(page.get_by_role("button", name="Keys")).to_be_visible()
         expect(page.locator(".nav nav [aria-current=page]")).to_have_text(SCENES[slug].title)
-        assert page.evaluate("document.activeElement.tagName") == "H1"
-        assert page.locator(".page").count() == 1
+        assert page.evaluate("document.activeElement.tagName") == "H1" and page.locator(".page").count() == 1
         seen = page.evaluate("oscillations.plots.filter(plot => plot.host.offsetParent && !plot.absent).length")
         assert page.evaluate("Bokeh.documents.length") == seen + 1
         page.wait_for_function(SAME_PLACES)

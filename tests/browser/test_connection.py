@@ -1,16 +1,14 @@
-"""The connection is lost and returns; a browser lacks a feature; files do not come; parts fail: a sentence says so,
-no value is lost, and everything else works.
-"""
+"""A lost connection, an old browser, missing files, failing parts: a sentence says so, and no value is lost."""
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from urllib.parse import urlsplit
 
 import pytest
 from playwright.sync_api import Browser, Page, Route, expect
 
 from components.scenes import SCENES
-from tests.browser.fixtures import READY, another_version
+from tests.browser.fixtures import READY, Open, another_version
 from tests.browser.waiting import QUIET, played, unfold
 from tests.grids import sample
 from tests.serving.server import Server
@@ -19,7 +17,29 @@ from tools.reconnect.losses import CONNECTED, LINK, LOSSES, SETTLED, too_late, v
 from tools.reconnect.site import GatedSite
 
 pytestmark = pytest.mark.browser
-Open = Callable[..., Page]
+LACKS = {
+    "modules": "delete HTMLScriptElement.prototype.noModule",
+    "DecompressionStream": "delete globalThis.DecompressionStream",
+    "the selector :has()": "CSS.supports = rule => !rule.includes(':has')",
+    "nested rules": "CSS.supports = rule => rule !== 'selector(&)'",
+}
+"""Scripts that remove a feature of the browser, or report that it is missing."""
+PRINTED = "oscillations.page.print"
+"""The last parts have come."""
+BROKEN = """() => {
+  const {page, undo, hall, address, walks} = oscillations
+  for (const [host, method] of [[page.parts.find(part => part.update), "update"], [undo, "record"],
+    [hall, "applyStep"], [hall, "shown"], [address, "write"], [page.live, "draw"], [page.compare, "frame"],
+    [page.stages[0], "frame"], [page.plots[0], "draw"]])
+    host[method] = () => { throw Error(`${method} is broken`) }
+  globalThis.last = {}
+  for (const [host, method] of [[page.parts.findLast(part => part.update), "update"], [page.compare, "update"],
+    [walks, "shown"], [page.stages.at(-1), "frame"], [page.plots.at(-1), "draw"]]) {
+    const act = host[method].bind(host)
+    host[method] = (...given) => (last[host.constructor.name] = 1, act(...given))
+  }
+}"""
+"""Let the first part of each kind fail that takes a picture, and note which of the last parts still take it."""
 
 
 @pytest.fixture(scope="module")
@@ -77,8 +97,8 @@ def preset_choice_window_and_scene_wait(page: Page) -> None:
     choice.locator(f"[data-option={option}]").click()
     window.fill("17.3")
     window.press("Enter")
-    for part in (page.locator(".seg.waits"), page.locator(".window.waits"), page.locator(".pill.waits")):
-        expect(part).not_to_have_count(0)
+    for part in (".seg", ".window", ".pill"):
+        expect(page.locator(f"{part}.waits")).not_to_have_count(0)
     page.context.set_offline(False)
     page.wait_for_function(SETTLED)
     expect(page.locator(".waits:not(h1)")).to_have_count(0)
@@ -102,7 +122,6 @@ def test_what_is_lost_is_said_and_what_waits_is_shown(page: Page, server: Server
         assert page.evaluate("(bar => bar.scrollWidth - bar.clientWidth)(document.querySelector('.lost'))") == 0
     page.set_viewport_size({"width": 1280, "height": 720})
     page.locator("a[href='./']:visible").last.click(trial=True)
-    played(page, 1)
     page.context.set_offline(False)
     expect(page.get_by_role("status").filter(has_text="Connected again")).to_be_visible()
     expect(alert).to_be_hidden()
@@ -127,36 +146,19 @@ def test_a_page_older_than_the_server_takes_the_new_one_but_not_under_a_hand(pag
     page.unroute(server.url + "?*", another_version)
     page.locator("input[name=m1]").fill("5")
     page.locator("input[name=m1]").press("Enter")
-    page.wait_for_function("!globalThis.old && globalThis.oscillations?.page")
-    page.wait_for_function(SETTLED)
+    page.wait_for_function(f"!globalThis.old && globalThis.oscillations?.page && {SETTLED}")
     state = page.evaluate("oscillations.messages.state")
-    assert state["parameters"] == {"k2": k2, "m1": 5}
-    assert (state["hidden"], state["covered"]) == (["x1_slow"], ["plot:x2"])
-
-
-LACKS = {
-    "modules": "delete HTMLScriptElement.prototype.noModule",
-    "DecompressionStream": "delete globalThis.DecompressionStream",
-    "the selector :has()": "CSS.supports = rule => !rule.includes(':has')",
-    "nested rules": "CSS.supports = rule => rule !== 'selector(&)'",
-}
-"""Scripts that remove a feature of the browser, or report that it is missing."""
-REFUSED = "globalThis.WebSocket = class { constructor() { throw new Error('refused') } }"
-BY_ANYTHING = 30_000
-PRINTED = "oscillations.page.print"
-"""The last parts have come."""
+    kept = {"parameters": {"k2": k2, "m1": 5}, "hidden": ["x1_slow"], "covered": ["plot:x2"]}
+    assert {name: state[name] for name in kept} == kept
 
 
 def test_a_link_too_long_for_a_server_loses_nothing(page: Page, server: Server) -> None:
     """Nor does a page that waits for a place: it shows its ticket."""
     opened(page, server)
-    page.evaluate(
-        """() => {
-          const {messages} = oscillations, {handle} = messages
-          const long = `&hidden=${"x".repeat(8000)}`
-          messages.handle = (message, asked) => handle({...message, query: message.query + long}, asked)
-        }"""
-    )
+    page.evaluate("""() => {
+      const {messages} = oscillations, {handle} = messages, long = `&hidden=${"x".repeat(8000)}`
+      messages.handle = (message, asked) => handle({...message, query: message.query + long}, asked)
+    }""")
     page.evaluate("oscillations.send({type: 'set', values: {k2: 3}})")
     page.wait_for_function("oscillations.shown.settings.k2.value === 3 && location.search === '?scene=coupled'")
     page.get_by_role("button", name="Copy link").click()
@@ -166,9 +168,8 @@ def test_a_link_too_long_for_a_server_loses_nothing(page: Page, server: Server) 
     def full_once(route: Route) -> None:
         shown.append(route.request.headers["page-ticket"])
         if len(shown) > 1:
-            route.continue_()
-        else:
-            route.fulfill(status=503, headers={"Page-Ticket": "second"}, body="All places are taken")
+            return route.continue_()
+        return route.fulfill(status=503, headers={"Page-Ticket": "second"}, body="All places are taken")
 
     page.route(server.url + "?*", full_once)
     lost(page)
@@ -196,7 +197,7 @@ def test_what_an_old_browser_lacks_and_a_proxy_refuses_is_named(quiet: Open, bro
         expect(alert).to_be_in_viewport()
         page.close()
     page = quiet()
-    page.add_init_script(REFUSED)
+    page.add_init_script("globalThis.WebSocket = class { constructor() { throw new Error('refused') } }")
     page.goto(server.url + LINK)
     expect(page.get_by_role("alert").filter(has_text="blocks WebSockets")).to_be_visible(timeout=30_000)
 
@@ -232,34 +233,15 @@ def test_parts_asked_for_without_a_network_come_with_it(page: Page, server: Serv
     remark = page.get_by_text("Part of this page could not be loaded")
     expect(remark).to_have_count(1)
     page.context.set_offline(False)
-    expect(page.get_by_role("dialog", name="Save a picture")).to_be_visible(timeout=BY_ANYTHING)
+    expect(page.get_by_role("dialog", name="Save a picture")).to_be_visible(timeout=30_000)
     expect(remark).to_have_count(0)
     page.keyboard.press("Escape")
     expect(page.get_by_role("dialog", name="Keys")).to_be_visible()
-    expect(page.locator("details.about table").first).to_be_visible(timeout=BY_ANYTHING)
+    expect(page.locator("details.about table").first).to_be_visible(timeout=30_000)
 
 
-BROKEN = """() => {
-  const {page, undo, hall, address, walks} = oscillations
-  const broken = [[page.parts.find(part => part.update), "update"], [undo, "record"], [hall, "applyStep"],
-    [hall, "shown"], [address, "write"], [page.live, "draw"], [page.compare, "frame"], [page.stages[0], "frame"],
-    [page.plots[0], "draw"]]
-  for (const [host, method] of broken) host[method] = () => { throw Error(`${method} is broken`) }
-  globalThis.last = {}
-  for (const [host, method] of [[page.parts.findLast(part => part.update), "update"], [page.compare, "update"],
-    [walks, "shown"], [page.stages.at(-1), "frame"], [page.plots.at(-1), "draw"]]) {
-    const act = host[method]
-    host[method] = function (...given) {
-      last[host.constructor.name] = 1
-      return act.apply(this, given)
-    }
-  }
-}"""
-"""Let the first part of each kind fail that takes a picture, and note which of the last parts still take it."""
-
-
-def test_exceptions_in_some_parts_stop_no_other_and_are_reported_once(page: Page, server: Server) -> None:
-    logged = list[str]()
+def test_exceptions_in_some_parts_stop_no_other_and_are_reported_once(browser: Browser, server: Server) -> None:
+    page, logged = browser.new_page(bypass_csp=True), list[str]()
     page.on("console", lambda message: logged.append(message.text) if message.type == "error" else None)
     opened(page, server, "?scene=coupled")
     page.wait_for_function(f"{PRINTED} && oscillations.page.voice && oscillations.page.stages.length > 1")
@@ -270,13 +252,9 @@ def test_exceptions_in_some_parts_stop_no_other_and_are_reported_once(page: Page
         played(page, 2)
     assert len(page.evaluate("Object.keys(last)")) == 5, page.evaluate("last")
     assert all(any(name in line for line in logged) for name in ("update", "record", "applyStep", "draw", "frame"))
-    lost = "[oscillations.messages.lostConnections, document.documentElement.dataset.connected].join()"
-    assert page.evaluate(lost) == "0,true"
+    lost = "[oscillations.messages.lostConnections, document.documentElement.dataset.connected]"
+    assert page.evaluate(lost) == [0, "true"]
     expect(page.locator(".remark")).to_have_count(1)
-
-
-def test_an_exception_of_a_button_is_reported(browser: Browser, server: Server) -> None:
-    page = browser.new_page(bypass_csp=True)
     opened(page, server, "?scene=coupled")
     page.evaluate("() => { oscillations.page.compare.toggle = () => { throw Error('Hold is broken') } }")
     page.get_by_role("button", name="Hold").click()

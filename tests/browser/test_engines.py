@@ -6,8 +6,7 @@ import pytest
 
 from components.scenes import SCENES
 from tests.browser.fixtures import CONNECTED, READY
-from tests.browser.touch import Point, stroke, value
-from tests.browser.waiting import FRAMES, PASSED, QUIET
+from tests.browser.waiting import FRAMES, PASSED, QUIET, Point, stroke, value
 from tests.grids import sample
 from tests.serving.server import Server
 from tools.browsers import firefox, webkit
@@ -41,14 +40,14 @@ PAINTED = """(() => {
   return columns.size
 })()"""
 """The number of masses of a chain that its picture has painted."""
-SET = """({name, value}) => oscillations.send({type: "set", values: {[name]: value}})"""
 MOST_LIKELY = {"m1": 1.5, "m": 1.5, "theta_0": 0.5, "limit": 2.0}
 """A value for the first of these parameters that a scene has."""
-
-
-def opened(window: DrivenWindow, address: str) -> None:
-    window.goto(address)
-    window.wait_for_function(CONNECTED)
+LESSON = "document.querySelector('.card .why')"
+SAVED = """() => {
+  URL.createObjectURL = file => ((window.saved = {size: file.size}), "#")
+  HTMLAnchorElement.prototype.click = function () { window.saved.name = this.download }
+}"""
+"""Notes a file instead of saving it, because each browser asks in its own way where to save."""
 
 
 def middle(window: DrivenWindow, selector: str, name: str = "") -> Point:
@@ -89,7 +88,7 @@ def test_a_scene_is_drawn_moves_and_answers(engine: DrivenWindow, server: Server
     engine.evaluate(FRAMES, 3)
     name = next(name for name in MOST_LIKELY if name in SCENES[slug].linked())
     engine.wait_for_function("oscillations.messages.wire")
-    engine.evaluate(SET, {"name": name, "value": MOST_LIKELY[name]})
+    engine.evaluate("values => oscillations.send({type: 'set', values})", {name: MOST_LIKELY[name]})
     engine.wait_for_function(f"oscillations.shown.settings.{name}.value === {MOST_LIKELY[name]}")
     assert engine.evaluate("document.thrown") == []
 
@@ -97,7 +96,8 @@ def test_a_scene_is_drawn_moves_and_answers(engine: DrivenWindow, server: Server
 def test_what_appears_above_does_not_move_what_is_in_sight(engine: DrivenWindow, server: Server) -> None:
     top = "document.querySelector('input[name=k2-slider]').getBoundingClientRect().top"
     engine.set_viewport_size({"width": 390, "height": 844})
-    opened(engine, f"{server.url}?scene=coupled")
+    engine.goto(f"{server.url}?scene=coupled")
+    engine.wait_for_function(CONNECTED)
     engine.evaluate("scrollTo(0, 300)")
     engine.wait_for_function("scrollY === 300")
     engine.evaluate(PASSED, 3)
@@ -106,15 +106,6 @@ def test_what_appears_above_does_not_move_what_is_in_sight(engine: DrivenWindow,
     engine.wait_for_function("scrollY > 380")
     assert abs(engine.evaluate(top) - stood) <= 1
     engine.set_viewport_size({"width": 1280, "height": 720})
-
-
-CARD = f"{CONNECTED} && oscillations.walks.walk?.card && {QUIET}"
-LESSON = "document.querySelector('.card .why')"
-SAVED = """() => {
-  URL.createObjectURL = file => ((window.saved = {size: file.size}), "#")
-  HTMLAnchorElement.prototype.click = function () { window.saved.name = this.download }
-}"""
-"""Notes a file instead of saving it, because each browser asks in its own way where to save."""
 
 
 def test_a_visitor_finds_a_scene_changes_it_and_takes_its_numbers_along(engine: DrivenWindow, server: Server) -> None:
@@ -151,7 +142,7 @@ def test_a_visitor_finds_a_scene_changes_it_and_takes_its_numbers_along(engine: 
 
 def test_a_sketch_of_a_walk_is_answered_and_explained(engine: DrivenWindow, server: Server) -> None:
     engine.goto(f"{server.url}?walk=d34&step=d34-10")
-    engine.wait_for_function(CARD)
+    engine.wait_for_function(f"{CONNECTED} && oscillations.walks.walk?.card && {QUIET}")
     x, y = middle(engine, ".drawing")
     stroke(engine.mouse, [(x + 12 * i, y - 40 + 8 * (i % 10)) for i in range(-15, 15)])
     press(engine, "button", "Show the answer")

@@ -4,14 +4,13 @@ import csv
 import io
 import re
 import zipfile
-from collections.abc import Callable, Iterator
 from pathlib import Path
 from urllib.parse import unquote
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from playwright.sync_api import Download, FilePayload, Locator, Page, expect
+from playwright.sync_api import Download, FilePayload, Page, expect
 
 from components.scenes import SCENES
 from components.state.page_state import fitted
@@ -21,17 +20,13 @@ from components.walks.questions.choice import ChoiceStep
 from components.walks.questions.point import PointStep
 from components.walks.questions.sketch import SketchStep
 from tests.browser import looks
-from tests.browser.fixtures import READY
+from tests.browser.fixtures import READY, Open
 from tests.browser.waiting import MINE, clicked, drop, passed, seek, tap, turned, unfold
 from tests.grids import sample
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
-Open = Callable[..., Page]
 SVG = "{http://www.w3.org/2000/svg}"
-DRAWN = {
-    f"{SVG}{name}"
-    for name in ("svg", "title", "g", "rect", "line", "path", "circle", "text", "tspan", "clipPath", "image")
-}
+DRAWN = "svg title g rect line path circle text tspan clipPath image"
 WITHIN = re.compile(r' href="data:image/png;base64,[^"]*"')
 """A picture that contains its own drawing."""
 OUTSIDE = """() => {
@@ -44,6 +39,39 @@ OUTSIDE = """() => {
     ...(innerWidth > 700 && document.documentElement.scrollHeight > innerHeight ? ["the page scrolls"] : [])]
 }"""
 """Parts of "About these numbers" that leave the panel."""
+TOLD = {"title": "A claim", "explain": 'What it "means".'}
+CHOICE = {"text-1": "Both", "text-2": "Neither", "notes": "Show the real springs first.", **TOLD}
+SKETCH = {"question": "Sketch mass 1.", "kind": "sketch", "curve": "x1.x1", "is-0": "x1_O", **TOLD}
+POINT = {"kind": "point", "axis": "x2.y", "of": "x2_0 - 0.5", "tol": "0.1", **TOLD}
+QUESTIONS: tuple[tuple[dict[str, str], str], ...] = (
+    ({"question": "Which one swings?", "kind": "choice", **CHOICE}, "a wrong answer needs a reply"),
+    ({"reply-2": "It is right at rest."}, "Which one swings?"),
+    ({"question": "Long, {beat:null}?", "kind": "number", "is": "2500 ms", "unit": "s", "tol": "0,1", **TOLD}, "Long"),
+    (SKETCH, "has a name that the scene does not have, x1_O; it has"),
+    ({"is-0": "x1_0"}, "Sketch mass 1."),
+    ({"question": "Mark where mass 2 begins.", **POINT}, "Mark where mass 2 begins."),
+)
+"""What is typed to write a step of each kind, and what is then said or listed."""
+COVERED = {"plot:x2", "value:omega_minus", "form:beat"}
+REFUSED = {
+    "big.toml": (b"#" * 48_001, "big.toml: the file has 48001 bytes; at most 48000 are allowed."),
+    "cover.toml": (MINE.encode() + b'cover = ["plot:z"]', "step 1 (pull), cover: “plot:z” is not possible: choose"),
+}
+POINTS = """() => document.querySelector(".plot-area path.measured-points").getAttribute("d")
+  .split("M").length - 1"""
+PASTE = """text => {
+  const clipboardData = new DataTransfer()
+  clipboardData.setData("text/plain", text)
+  document.dispatchEvent(new ClipboardEvent("paste", {clipboardData, bubbles: true}))
+}"""
+OMEGA, DECAY = 5.0, 0.1
+SHAKE = """() => {
+  DeviceMotionEvent.requestPermission = async () => "granted"
+  window.shaking = setInterval(() => {
+    const a = 2 * Math.cos(8 * performance.now() / 1000)
+    dispatchEvent(new DeviceMotionEvent("devicemotion", {acceleration: {x: 0.01, y: a, z: 0}, interval: 16}))
+  }, 16)
+}"""
 
 
 def saved(page: Page, kind: str) -> Download:
@@ -72,44 +100,37 @@ def pictured(page: Page, plot: str = "") -> ElementTree.Element:
     return ElementTree.fromstring(drawn(page))
 
 
-def printed(page: Page) -> Locator:
-    """The sheet that the browser prints."""
+def is_printed(page: Page, headline: str) -> None:
+    """Printed it is one sheet in ink, with its address."""
     page.wait_for_function("oscillations.page.print")
     page.evaluate("dispatchEvent(new Event('beforeprint'))")
     page.emulate_media(media="print")
-    return page.locator(".printed")
-
-
-def put_away(page: Page) -> None:
+    sheet = page.locator(".printed")
+    expect(sheet.locator("h1")).to_have_text(headline)
+    expect(sheet.locator(".printed-pictures > div").first).to_be_visible()
+    expect(sheet).to_contain_text(page.url)
+    expect(sheet).to_have_css("background-color", "rgb(255, 255, 255)")
+    expect(page.locator(".nav")).to_be_hidden()
     page.evaluate("dispatchEvent(new Event('afterprint'))")
-    expect(page.locator(".printed")).to_have_count(0)
+    expect(sheet).to_have_count(0)
     page.emulate_media(media="null")
+    for landscape in (False, True):
+        assert re.findall(rb"/Count (\d+)", page.pdf(format="A4", landscape=landscape)) == [b"1"], landscape
 
 
 @pytest.mark.parametrize("slug", sample([*SCENES], 20))
 def test_what_every_scene_gives_away(slug: str, new_page: Open, open_scene: Open) -> None:
-    """The numbers about its numbers stay within the panel. Printed it is one sheet in ink. Every picture is light, says
-    what it is of, and needs nothing from the page.
-    """
+    """The numbers about its numbers stay within the panel. Pictures are light, and need nothing from the page."""
     page = new_page(color_scheme="dark", reduced_motion="reduce")
     open_scene(page, folded=True, scene=slug, view=SCENES[slug].views[0].slug)
     if SCENES[slug].is_checked():
         page.locator(".about summary").click()
         expect(page.locator(".about .bound").first).to_be_in_viewport(timeout=30_000)  # a worker may be starting
-        found = looks.of(page, OUTSIDE)
-        page.set_viewport_size({"width": 390, "height": 844})
-        passed(page)
-        assert [*found, *looks.of(page, OUTSIDE)] == []
-        page.set_viewport_size({"width": 1280, "height": 720})
-    sheet = printed(page)
-    expect(sheet.locator("h1")).to_have_text(SCENES[slug].headline)
-    expect(sheet.locator(".printed-pictures > div").first).to_be_visible()
-    expect(sheet).to_contain_text(page.url)
-    expect(sheet).to_have_css("background-color", "rgb(255, 255, 255)")
-    expect(page.locator(".nav")).to_be_hidden()
-    put_away(page)
-    for landscape in (False, True):
-        assert re.findall(rb"/Count (\d+)", page.pdf(format="A4", landscape=landscape)) == [b"1"], landscape
+        for width, height in ((1280, 720), (390, 844), (1280, 720)):
+            page.set_viewport_size({"width": width, "height": height})
+            passed(page)
+            assert looks.of(page, OUTSIDE) == [], width
+    is_printed(page, SCENES[slug].headline)
     pictured(page)
     choices = page.get_by_role("dialog").get_by_role("group", name="Of").get_by_role("button")
     expect(choices.first).to_be_visible()
@@ -117,10 +138,9 @@ def test_what_every_scene_gives_away(slug: str, new_page: Open, open_scene: Open
     for choice in choices.all():
         choice.click()
         expect(choice).to_have_attribute("aria-pressed", "true")
-        source = drawn(page)
-        picture = ElementTree.fromstring(source)
-        assert {part.tag for part in picture.iter()} <= DRAWN
-        assert not re.search(r"var\(| class=| style=|NaN|undefined|href", WITHIN.sub("", source))
+        picture = pictured(page)
+        assert {part.tag.removeprefix(SVG) for part in picture.iter()} <= {*DRAWN.split()}
+        assert not re.search(r"var\(| class=| style=|NaN|undefined|href", WITHIN.sub("", drawn(page)))
         ground = next(picture.iter(f"{SVG}rect"))
         assert (ground.get("fill"), ground.get("width")) == ("rgb(255, 255, 255)", picture.get("width"))
         texts = texts_of(picture)
@@ -189,16 +209,6 @@ def test_the_numbers_about_these_numbers_follow_a_change(desk: Page) -> None:
     expect(table).to_be_visible()
 
 
-COVERED = {"plot:x2", "value:omega_minus", "form:beat"}
-REFUSED = {
-    "big.toml": (b"#" * 48_001, "big.toml: the file has 48001 bytes; at most 48000 are allowed."),
-    "cover.toml": (
-        MINE.encode() + b'cover = ["plot:z"]',
-        "step 1 (pull), cover: “plot:z” is not possible: choose from",
-    ),
-}
-
-
 def chosen(page: Page, button: str, name: str, content: bytes) -> None:
     """The file, chosen with a button."""
     with page.expect_file_chooser() as chooser:
@@ -213,8 +223,7 @@ def test_a_file_is_run_or_refused_in_a_sentence(page: Page, open_scene: Open) ->
         chosen(page, "Open my own walk", name, content)
         expect(page.locator(".notice span")).to_contain_text(said, timeout=30_000)  # a worker may be starting
     page.locator(".walks summary").click()
-    here = MINE.replace("d31-03", "d31-07")  # a step of the visible scene
-    chosen(page, "Open my own walk", "here.toml", here.encode())
+    chosen(page, "Open my own walk", "here.toml", MINE.replace("d31-03", "d31-07").encode())  # of the visible scene
     page.wait_for_function(f"oscillations.walks.walk?.sheet.name === 'here' && {READY}")
     expect(page.locator(".notice")).to_be_hidden()
     drop(page, "My walk.toml", f"{MINE}#".ljust(48_000, "x"))  # the largest size
@@ -234,49 +243,24 @@ def test_a_file_is_run_or_refused_in_a_sentence(page: Page, open_scene: Open) ->
     assert page.evaluate("oscillations.walks.walk.lesson === null && !oscillations.walks.walk.card.question.given()")
 
 
-def asked(page: Page, question: str, kind: str, **fields: str) -> None:
-    """A step about the visible picture."""
-    dialog = page.get_by_role("dialog", name="Write a question")
-    dialog.locator("[name=question]").fill(question)
-    dialog.locator("[name=kind]").select_option(kind)
-    for name, value in {**fields, "title": "A claim", "explain": 'What it "means".'}.items():
-        field = dialog.locator(f"[name={name}]")
-        if name in ("curve", "axis"):
-            field.select_option(value)
-        else:
-            field.fill(value)
-    dialog.get_by_role("button", name="Add this question").click()
-
-
-def ask_each_kind(page: Page) -> Locator:
-    """A step of each kind, and the dialog in which it was written."""
+def test_what_is_asked_is_a_walk_that_passes_its_checks(page: Page, open_scene: Open, tmp_path: Path) -> None:
+    shown = {"hidden": "x1_slow", "frame.window": 40, "held.k2": 20}
+    open_scene(page, scene="coupled", k2=3, cover="value:omega_plus", **shown)
     page.locator(".walks summary").click()
     page.get_by_role("button", name="Write a question on this picture").click()
     dialog = page.get_by_role("dialog", name="Write a question")
     for part in ("Displacement of mass 2 against time", "Number: slow mode", "Text: No beat"):
         dialog.get_by_label(part).check()
-    choice = {"text-1": "Both", "text-2": "Neither", "notes": "Show the real springs first."}
-    asked(page, "Which one swings?", "choice", **choice)
-    expect(dialog.locator(".problem")).to_contain_text("a wrong answer needs a reply", timeout=30_000)
-    dialog.get_by_label("The answers keep this order").check()
-    dialog.locator("[name=reply-2]").fill("It is right at rest.")
-    dialog.get_by_role("button", name="Add this question").click()
-    expect(dialog.locator("li")).to_have_count(1)
-    asked(page, "How long is {beat:null}?", "number", **{"is": "2500 ms", "unit": "s", "tol": "0,1"})
-    expect(dialog.locator("li")).to_have_count(2)
-    asked(page, "Sketch mass 1.", "sketch", curve="x1.x1", **{"is-0": "x1_O"})
-    expect(dialog.locator(".problem")).to_contain_text("has a name that the scene does not have, x1_O; it has")
-    asked(page, "Sketch mass 1.", "sketch", curve="x1.x1", **{"is-0": "x1_0"})
-    expect(dialog.locator("li")).to_have_count(3)
-    asked(page, "Mark where mass 2 begins.", "point", axis="x2.y", of="x2_0 - 0.5", tol="0.1")
-    expect(dialog.locator("li")).to_have_count(4)
-    return dialog
-
-
-def test_what_is_asked_is_a_walk_that_passes_its_checks(page: Page, open_scene: Open, tmp_path: Path) -> None:
-    shown = {"hidden": "x1_slow", "frame.window": 40, "held.k2": 20}
-    open_scene(page, scene="coupled", k2=3, cover="value:omega_plus", **shown)
-    dialog = ask_each_kind(page)
+    for fields, said in QUESTIONS:
+        for name, text in fields.items():
+            if name in ("kind", "curve", "axis"):
+                dialog.locator(f"[name={name}]").select_option(text)
+            else:
+                dialog.locator(f"[name={name}]").fill(text)
+        if "reply-2" in fields:
+            dialog.get_by_label("The answers keep this order").check()
+        dialog.get_by_role("button", name="Add this question").click()
+        expect(dialog.locator("li, .problem").filter(has_text=said)).to_be_visible(timeout=30_000)
     with page.expect_download() as download:
         dialog.get_by_role("button", name="Save the walk as a file").click()
     file = tmp_path / download.value.suggested_filename
@@ -305,24 +289,6 @@ def test_a_hall_does_not_see_a_question_written(page: Page, open_scene: Open) ->
     desk.close()
 
 
-POINTS = """() => document.querySelector(".plot-area path.measured-points").getAttribute("d")
-  .split("M").length - 1"""
-WINDOW = "oscillations.shown.settings.window.value"
-PASTE = """text => {
-  const clipboardData = new DataTransfer()
-  clipboardData.setData("text/plain", text)
-  document.dispatchEvent(new ClipboardEvent("paste", {clipboardData, bubbles: true}))
-}"""
-OMEGA, DECAY = 5.0, 0.1
-SHAKE = """() => {
-  DeviceMotionEvent.requestPermission = async () => "granted"
-  window.shaking = setInterval(() => {
-    const a = 2 * Math.cos(8 * performance.now() / 1000)
-    dispatchEvent(new DeviceMotionEvent("devicemotion", {acceleration: {x: 0.01, y: a, z: 0}, interval: 16}))
-  }, 16)
-}"""
-
-
 def record(seed: int = 1, head: str = "t (s);x (cm)\n") -> str:
     """A record with decimal commas: 10 s, 30 rows a second, an offset of 3 cm."""
     t = np.arange(301) / 30
@@ -331,27 +297,9 @@ def record(seed: int = 1, head: str = "t (s);x (cm)\n") -> str:
     return head + "\n".join(rows).replace(".", ",") + "\n;\n"
 
 
-@pytest.fixture
-def measured(desk: Page) -> Iterator[Page]:
-    """The view without a file, which is removed afterwards."""
-    turned(desk, "damped", {"view": "measured"})
-    expect(desk.locator(".measured-sentence")).to_be_empty()
-    yield desk
-    remove = desk.get_by_role("button", name="Remove")
-    if remove.is_visible():
-        remove.click()
-
-
 def shows_fit(page: Page) -> None:
     """The numbers of the fit are shown; the first fit of a server may wait for its worker process."""
     expect(page.locator(".measured-sentence")).not_to_be_empty(timeout=120_000)
-
-
-def removed(page: Page) -> None:
-    page.get_by_role("button", name="Remove").click()
-    expect(page.get_by_role("button", name="Choose a file")).to_be_focused()
-    assert page.evaluate(POINTS) == 0
-    expect(page.locator(".measured-sentence")).to_be_empty()
 
 
 def test_a_dropped_file_is_fitted_and_the_model_passes_through_it(page: Page, open_scene: Open) -> None:
@@ -372,7 +320,7 @@ def test_a_dropped_file_is_fitted_and_the_model_passes_through_it(page: Page, op
     expect(page.locator(".measured-sentence")).to_have_text(re.compile("^The residuals of the fit are random"))
     assert 100 < page.evaluate(POINTS) <= 301
     page.get_by_role("button", name="Fit to data").click()
-    page.wait_for_function(f"{WINDOW} === 10")
+    page.wait_for_function("oscillations.shown.settings.window.value === 10")
     assert page.evaluate("oscillations.shown.settings.k.value") == pytest.approx(OMEGA**2 + DECAY**2, rel=1e-2)
     with page.expect_download() as download:
         page.get_by_role("button", name="Save residuals").click()
@@ -380,42 +328,48 @@ def test_a_dropped_file_is_fitted_and_the_model_passes_through_it(page: Page, op
     residuals = [float(row[3]) for row in rows[1:]]
     assert len(residuals) == 301 and len(rows[0]) == len(rows[1]) and np.std(residuals) == pytest.approx(2e-4, rel=0.2)
     assert "cart" not in page.url and "window=10" in page.url
-    removed(page)
+    page.get_by_role("button", name="Remove").click()
+    expect(page.get_by_role("button", name="Choose a file")).to_be_focused()
+    assert page.evaluate(POINTS) == 0
+    expect(page.locator(".measured-sentence")).to_be_empty()
     page.get_by_role("button", name="Simulated: air drag").click()
     shows_fit(page)
     expect(page.locator(".measured-sentence")).to_have_text(re.compile("^The residuals of the fit are not random"))
 
 
-def test_every_kind_of_file_is_read_or_refused_in_a_sentence(measured: Page) -> None:
+def test_every_kind_of_file_is_read_or_refused_in_a_sentence(page: Page, open_scene: Open) -> None:
     """Text without units, which are asked for; a zip file with its longest table first."""
-    status, name = measured.locator(".measured-status"), measured.locator(".measured-name")
-    chosen(measured, "Choose a file", "letter.txt", b"Dear student,\nno table.\n")
+    open_scene(page, scene="damped", view="measured")
+    status, name = page.locator(".measured-status"), page.locator(".measured-name")
+    chosen(page, "Choose a file", "letter.txt", b"Dear student,\nno table.\n")
     expect(status).to_contain_text("letter.txt: Line 1: “Dear student,” has no two numbers")
-    measured.evaluate(PASTE, record(head=""))
+    page.evaluate(PASTE, record(head=""))
     expect(status).to_have_text("Choose the unit of “Time”.")
-    measured.get_by_label("Time: unit").focus()
-    measured.get_by_label("Time: unit").select_option("s")
+    page.get_by_label("Time: unit").focus()
+    page.get_by_label("Time: unit").select_option("s")
     expect(status).to_have_text("Choose the unit of “Motion”.")
-    expect(measured.get_by_label("Time: unit")).to_be_focused()
-    measured.get_by_label("Motion: unit").select_option("cm")
-    shows_fit(measured)
-    expect(measured.get_by_role("row", name=re.compile("amplitude"))).to_contain_text("0.0400")
-    removed(measured)
+    expect(page.get_by_label("Time: unit")).to_be_focused()
+    page.get_by_label("Motion: unit").select_option("cm")
+    shows_fit(page)
+    expect(page.get_by_role("row", name=re.compile("amplitude"))).to_contain_text("0.0400")
+    page.get_by_role("button", name="Remove").click()
     files = io.BytesIO()
     with zipfile.ZipFile(files, "w") as out:
         for table, rows in (("Short", 199), ("Raw", 301)):
             out.writestr(f"{table}.csv", "\n".join(record().splitlines()[: rows + 1]))
-    chosen(measured, "Choose a file", "phyphox.zip", files.getvalue())
-    shows_fit(measured)
+    chosen(page, "Choose a file", "phyphox.zip", files.getvalue())
+    shows_fit(page)
     expect(name).to_have_text("phyphox.zip: 301 points")
-    measured.get_by_label("Table", exact=True).select_option("Short.csv")
+    page.get_by_label("Table", exact=True).select_option("Short.csv")
     expect(name).to_have_text("phyphox.zip: 199 points")
-    shows_fit(measured)
+    shows_fit(page)
 
 
 @pytest.mark.slow  # it records for half a minute
-def test_a_phone_records_its_own_acceleration(new_page: Open, open_scene: Open, measured: Page) -> None:
-    expect(measured.get_by_role("button", name="Record with this phone")).to_have_count(0)
+def test_a_phone_records_its_own_acceleration(page: Page, new_page: Open, open_scene: Open) -> None:
+    open_scene(page, scene="damped", view="measured")
+    expect(page.get_by_role("button", name="Choose a file")).to_be_visible()
+    expect(page.get_by_role("button", name="Record with this phone")).to_have_count(0)
     phone = new_page(width=390, height=844, has_touch=True, is_mobile=True)
     open_scene(phone, scene="damped", view="measured")
     phone.evaluate("DeviceMotionEvent.requestPermission = async () => 'denied'")

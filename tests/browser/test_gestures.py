@@ -1,21 +1,33 @@
 """Hands on the picture: by mouse, by finger and by keys. Whatever is dragged is where the hand is."""
 
 import itertools
-from collections.abc import Callable
 
 import pytest
 from playwright.sync_api import Locator, Mouse, Page, expect
 
 from components.scenes import SCENES
+from tests.browser.fixtures import Open
 from tests.browser.looks import seen
-from tests.browser.touch import FREE, IN_PLOT, OUTLINE, SCROLLING, Finger, middle, stopped, stroke, value
-from tests.browser.waiting import QUIET, passed, turned
+from tests.browser.waiting import QUIET, Finger, middle, passed, seek, stroke, turned, value
 from tests.grids import WHOLE, sample
 from tests.page.hand import grabs
 
 pytestmark = pytest.mark.browser
-Open = Callable[..., Page]
-NEAR = 1  # pixels
+FREE = f"!oscillations.page.hand.grab && !oscillations.page.compare.undoGroup && {QUIET}"
+"""No hand holds anything, and the server has answered."""
+OUTLINE = "getComputedStyle(document.activeElement).outlineStyle"
+SCROLLING = """() => oscillations.page.plots
+  .filter(({host, absent, block: {handles, time, pick}}) => !absent && host.checkVisibility() &&
+    host.style.touchAction !== "none" && (handles.length || time || pick))
+  .map(({block}) => block.name)"""
+"""Plots that act on a press, and that a finger scrolls."""
+IN_PLOT = """name => {
+  const plot = oscillations.page.plots.find(({block}) => block.name === name)
+  plot.host.scrollIntoView({block: "center"})
+  const {left, top} = plot.host.getBoundingClientRect()
+  const {frame} = plot
+  return [left + frame.left + 0.7 * frame.width, top + frame.top + 0.6 * frame.height]
+}"""
 LATE = """() => {
   const {messages} = oscillations, receive = messages.receive.bind(messages)
   messages.receive = (...packet) => setTimeout(() => receive(...packet), 500)
@@ -34,8 +46,6 @@ FLICKED = """async name => {
   hand.grab.release(all, true)
   delete performance.now
 }"""
-WAYS = ((9, 4), (-6, -7))
-"""Positions to which a grip is dragged, in pixels from where it was."""
 GRIPS = """() => oscillations.stages.flatMap(stage => [...(stage.grips?.grips.values() ?? [])])
   .filter(({grip}) => !grip.hidden && grip.checkVisibility())
   .map(({grip, grab}) => (grip.dataset.of = `${grab.label}: ${grab.ways.map(way => way.parameter)}`))"""
@@ -57,19 +67,29 @@ STATE = """() => {
 
 
 SCREENS = {"desk": (1280, 720), "landscape": (568, 320), "wide": (500, 800), "phone": (390, 844), "small": (320, 640)}
-OTHERS = [screen for screen in SCREENS if screen != "phone"]
-TURNS = [*zip(SCENES, itertools.cycle(["phone", *OTHERS]), strict=False)]
+TURNS = [*zip(SCENES, itertools.cycle(["phone", *(name for name in SCREENS if name != "phone")]), strict=False)]
 """Every scene on one of the screens."""
+PLUCKED = {"starts": "pluck", "N": 8, "m": 0.5, "k": 2, "a": 0.5, "p": 3}
+DRAGS: list[tuple[str, dict[str, object], str, tuple[int, int], str]] = [
+    ("forced", {}, "Drive frequency", (40, 0), "omega.value > 0.9"),
+    ("absorber", {}, "Frequency to which the absorber is tuned", (40, 0), "k2.value > 40000"),
+    ("modes", {"view": "guess"}, "Trial shape X2/X1", (0, -40), "ratio.value > 0"),
+    ("modes", {"view": "hunt"}, "Start of mass 2", (0, -40), "x2_0.value > 0.8"),
+    ("modes", {"view": "sweep"}, "k₂, swept", (-40, 0), "k2.value < 0.5"),
+    ("accuracy", {"view": "time"}, "Accepted error", (0, -40), "wanted.value > 1e-5"),
+]
+
+
+def stopped(page: Page, t: float = 0.3) -> None:
+    seek(page, t)
+    passed(page)
 
 
 @pytest.mark.parametrize("turn", [*itertools.product(SCENES, SCREENS)] if WHOLE else sample(TURNS, 5), ids="-".join)
-def test_a_scene_in_the_hand(turn: tuple[str, str], new_page: Callable[..., Page], open_scene: Open) -> None:
-    """Each grip follows within two frames, by mouse on a desk with late answers, by finger on phones. A finger shows no
-    ring. A finger that scrolls sets nothing.
-    """
+def test_a_scene_in_the_hand(turn: tuple[str, str], new_page: Open, open_scene: Open) -> None:
+    """Grips follow within two frames, on a desk with late answers. A finger shows no ring, or scrolls."""
     (slug, screen), desk = turn, turn[1] == "desk"
-    options = {} if desk else {"has_touch": True, "is_mobile": True}
-    page = open_scene(new_page(*SCREENS[screen], **options), scene=slug)
+    page = open_scene(new_page(*SCREENS[screen], has_touch=not desk, is_mobile=not desk), scene=slug)
     if desk:
         page.evaluate(LATE)
     hand, taken, tried = page.mouse if desk else Finger(page), 0, set[str]()
@@ -88,25 +108,22 @@ def test_a_scene_in_the_hand(turn: tuple[str, str], new_page: Callable[..., Page
 
 
 def is_taken(page: Page, hand: Mouse | Finger, grip: Locator) -> None:
-    """A grip follows the pointer along its ways. A grip that begins a motion stops time, and plays it when it is
-    released.
-    """
+    """A grip follows the pointer along its ways. If it begins a motion, time stops until it is released."""
     page.wait_for_function(QUIET)  # an answer may move lines
     grip.evaluate("grip => grip.scrollIntoView({block: 'center'})")
     stopped(page)
     name, was = grip.get_attribute("data-of"), grip.evaluate(PLACE)
     hand.move(was["x"], was["y"])
     hand.down()
-    for dx, dy in WAYS:
+    for dx, dy in ((9, 4), (-6, -7)):  # pixels
         hand.move(was["x"] + dx, was["y"] + dy)
         passed(page, 2)
         at, hand_at = grip.evaluate(PLACE), {"x": was["x"] + dx, "y": was["y"] + dy}
-        assert all(abs(at[axis] - hand_at[axis]) < NEAR for axis in at["along"]), name
+        assert all(abs(at[axis] - hand_at[axis]) < 1 for axis in at["along"]), name  # pixel
     assert not was["begins"] or page.evaluate("[oscillations.clock.playing, oscillations.clock.t]") == [False, 0]
     hand.up()
-    page.wait_for_function(
-        f"(oscillations.clock.playing || {str(not was['begins']).lower()}) && !oscillations.page.hand.grab"
-    )
+    plays = "oscillations.clock.playing" if was["begins"] else "true"
+    page.wait_for_function(f"{plays} && !oscillations.page.hand.grab")
     if isinstance(hand, Finger):
         assert page.evaluate(f"[document.activeElement !== document.body, {OUTLINE}]") == [True, "none"], name
 
@@ -123,22 +140,16 @@ def scrolls(page: Page, finger: Mouse | Finger, name: str) -> None:
 
 
 def test_a_value_set_by_a_finger_is_kept_when_the_browser_cancels_the_touch(phone: Page) -> None:
-    held = """({page, clock, messages, busy}) => [Boolean(page.hand.grab), page.compare.pressed, busy.isPressed,
-      clock.playing, messages.asked || messages.outbox.length > 0].join()"""
-    for where, name in (
-        (".grip[aria-label^='Mass 1']", "x1_0"),
-        ("input[name=omega-slider]", "omega"),
-        (".pill[data-grab=omega]", "omega"),
-    ):
+    omega = [("input[name=omega-slider]", "omega"), (".pill[data-grab=omega]", "omega")]
+    for where, name in ((".grip[aria-label^='Mass 1']", "x1_0"), *omega):
         turned(phone, "forced", {})
-        if "grip" in where:
-            stopped(phone)  # a moving mass is elsewhere when the finger arrives
-        else:
-            phone.evaluate("oscillations.clock.playing = true")
+        stopped(phone)  # a moving mass is elsewhere when the finger arrives
+        phone.evaluate("is => { oscillations.clock.playing = is }", name == "omega")
         before = value(phone, name)
         x, y = middle(phone.locator(where).first)
         stroke(Finger(phone), [(x, y), (x + 15, y), (x + 30, y + 1)], kind="touchCancel")
-        phone.wait_for_function(f"({held})(oscillations) === 'false,false,false,true,false'")
+        phone.wait_for_function(f"{FREE} && !oscillations.page.compare.pressed && !oscillations.busy.isPressed")
+        assert phone.evaluate("oscillations.clock.playing")
         assert value(phone, name) != before, f"{where}: what was set last stands"
         assert value(phone, "v1_0") == 0, "and is no flick"
 
@@ -212,9 +223,6 @@ def test_a_handle_that_cannot_go_further_says_why(desk: Page) -> None:
     desk.mouse.up()
 
 
-PLUCKED = {"starts": "pluck", "N": 8, "m": 0.5, "k": 2, "a": 0.5, "p": 3}
-
-
 def test_a_tap_starts_a_mode_and_a_move_sideways_drags_it(phone: Page) -> None:
     turned(phone, "chain", {"view": "spectrum", **PLUCKED})
     finger, settings = Finger(phone), "oscillations.shown.settings"
@@ -235,16 +243,6 @@ def test_a_tap_starts_a_mode_and_a_move_sideways_drags_it(phone: Page) -> None:
     turned(phone, "chain", {"view": "modes", **PLUCKED})
     phone.get_by_role("button", name="Mode 4").tap()
     phone.wait_for_function(f"{settings}.starts.value === 'mode' && {settings}.j.value === 4")
-
-
-DRAGS: list[tuple[str, dict[str, object], str, tuple[int, int], str]] = [
-    ("forced", {}, "Drive frequency", (40, 0), "omega.value > 0.9"),
-    ("absorber", {}, "Frequency to which the absorber is tuned", (40, 0), "k2.value > 40000"),
-    ("modes", {"view": "guess"}, "Trial shape X2/X1", (0, -40), "ratio.value > 0"),
-    ("modes", {"view": "hunt"}, "Start of mass 2", (0, -40), "x2_0.value > 0.8"),
-    ("modes", {"view": "sweep"}, "k₂, swept", (-40, 0), "k2.value < 0.5"),
-    ("accuracy", {"view": "time"}, "Accepted error", (0, -40), "wanted.value > 1e-5"),
-]
 
 
 @pytest.mark.parametrize(("slug", "given", "name", "way", "moves"), sample(DRAGS, 4), ids=str)
@@ -272,12 +270,8 @@ def test_a_finger_drags_a_handle_from_where_it_has_taken_it(
 
 def test_the_instant_is_led_by_mouse_and_plays_on(desk: Page) -> None:
     """On the time's handle, over a plot, and downwards where time runs down."""
-    now, plays = "oscillations.clock.t", "oscillations.clock.playing"
-    for slug, part, way in (
-        ("coupled", ".pill[aria-label^=Time]", (200, 0)),
-        ("coupled", ".plot-area", (200, 0)),
-        ("chain", ".pill[aria-label^=Time]", (0, 60)),
-    ):
+    now, plays, pill = "oscillations.clock.t", "oscillations.clock.playing", ".pill[aria-label^=Time]"
+    for slug, part, way in (("coupled", pill, (200, 0)), ("coupled", ".plot-area", (200, 0)), ("chain", pill, (0, 60))):
         turned(desk, slug, {})
         stopped(desk, 1)  # a handle of a playing time is elsewhere when the mouse arrives
         x, y = middle(desk.locator(f"{part}:visible").first)

@@ -1,8 +1,6 @@
-"""The hall: large type in every view; every step of every walk, led by a clicker, keys or touch, and with votes.
-Nothing scrolls, is cut off or is too small, and each headline and each explanation is seen.
-"""
+"""The hall: every view, and every step led by a clicker, keys or touch, and with votes, is visible and large."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import Any
 
 import pytest
@@ -16,11 +14,10 @@ from components.walks.questions.point import PointStep
 from components.walks.questions.sketch import SketchStep
 from components.walks.subject import Subject
 from components.walks.walk import Step
-from tests.browser.classroom import FILLED, FRAME, LED, Open, joined, put, sent, taught
-from tests.browser.fixtures import READY
+from tests.browser.classroom import FILLED, FRAME, LED, joined, put, sent, taught
+from tests.browser.fixtures import READY, Open
 from tests.browser.looks import LAID, LOW, SCROLLED, TAUGHT, faults, in_hall
-from tests.browser.touch import Finger, middle, stroke, value
-from tests.browser.waiting import MINE, clicked, drop, passed, seek, turned
+from tests.browser.waiting import MINE, Finger, clicked, drop, middle, passed, seek, stroke, turned, value
 from tests.grids import WHOLE, sample
 from tests.live_class.caller import call
 from tests.serving.server import Server
@@ -77,6 +74,13 @@ SKETCHED = """[oscillations.walks.walk.card.question.plot].map(({frame, unit, ho
   return frame.height * unit / innerHeight >= 0.5 && names.includes("Middle 50 %") && isClear
 })[0]"""
 """True if sketches have half of the screen's height, a visible middle half, and are not covered by the corner."""
+VOTERS = 57
+PHONES = ((390, 844), (844, 390))
+FITS = ((853, 480), (1280, 720))
+SIZES = (*FITS, (1920, 1080), (1024, 768))
+UNDER = """oscillations.plots.filter(({host}) => host.checkVisibility())
+  .map(({figure: {model}}) => model?.below[0].major_label_text_font_size).filter(Boolean)"""
+UNIT = "parseFloat(getComputedStyle(document.documentElement).fontSize) / 16"
 
 
 def wordiest(step: Step) -> int | str:
@@ -94,10 +98,8 @@ def answered(page: Page, step: Step, by: str) -> None:
     if isinstance(step, ChoiceStep) and by == "touch":
         page.locator(f".answers [data-option='{wordiest(step)}']").tap()
     elif isinstance(step, ChoiceStep):
-        place = page.locator(".answers [data-option]").evaluate_all(
-            "(all, i) => all.findIndex(one => one.dataset.option === i)", str(wordiest(step))
-        )
-        page.keyboard.press(f"{place + 1}")
+        names = page.locator(".answers [data-option]").evaluate_all("all => all.map(one => one.dataset.option)")
+        page.keyboard.press(f"{names.index(str(wordiest(step))) + 1}")
     elif isinstance(step, NumberStep):
         page.get_by_role("textbox", name="Your answer").fill(str(wordiest(step)))
     elif by == "touch":
@@ -111,17 +113,6 @@ def answered(page: Page, step: Step, by: str) -> None:
             page.get_by_role("application").press(key)
 
 
-def forward(page: Page, step: Step, by: str) -> None:
-    """Show the answer to a question, after an answer if keys or fingers lead."""
-    if by == "clicker":
-        return clicked(page)
-    answered(page, step, by)
-    if by == "touch":
-        return page.locator(FILLED).tap()
-    page.evaluate("document.activeElement.blur()")
-    return page.keyboard.press("r")
-
-
 def onward(page: Page, by: str) -> None:
     if by == "clicker":
         clicked(page)
@@ -129,6 +120,16 @@ def onward(page: Page, by: str) -> None:
         page.locator(FILLED).tap()
     else:
         page.locator(FILLED).press("Enter")
+
+
+def forward(page: Page, step: Step, by: str) -> None:
+    """Show the answer to a question, after an answer if keys or fingers lead."""
+    if by != "clicker":
+        answered(page, step, by)
+    if by != "keys":
+        return onward(page, by)
+    page.evaluate("document.activeElement.blur()")
+    return page.keyboard.press("r")
 
 
 def explained(page: Page, step: Step, by: str) -> Iterator[str]:
@@ -177,7 +178,7 @@ def on_a_desk_and_a_phone(page: Page) -> Iterator[str]:
 
 @pytest.mark.timeout(600)  # up to 21 steps
 @pytest.mark.parametrize("led", LEADS)
-def test_alone(led: str, server: Server, new_page: Callable[..., Page]) -> None:
+def test_alone(led: str, server: Server, new_page: Open) -> None:
     name, by = led.split()
     page = new_page(1280, HEIGHT, has_touch=by == "touch")
     page.goto(f"{server.url}?walk={name}&projector")
@@ -200,10 +201,6 @@ def test_alone(led: str, server: Server, new_page: Callable[..., Page]) -> None:
     assert not found, "\n".join(found)
 
 
-VOTERS = 57
-PHONES = ((390, 844), (844, 390))
-
-
 @pytest.mark.timeout(600)  # up to 21 steps, on three pages
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES if WHOLE else ["d34"])
@@ -212,31 +209,27 @@ def test_with_votes(name: str, server: Server, window: Open) -> None:
     phones = [joined(window, code, *size) for size in PHONES]
     tokens = [call(server.url, f"/class/{code}/token", "POST").json["token"] for _ in range(VOTERS)]
     found: list[str] = []
-
-    def look(step: Step, when: str) -> None:
-        found.extend(in_hall(lecture, HEIGHT, f"{step.id}, {when}"))
-
     for place, step in enumerate(WALKS[name].steps):
         if not WHOLE and step.id not in CROWDED:
             continue
         lecture.evaluate("place => oscillations.walks.walk.go(place)", place)
         lecture.wait_for_function(ASKED, arg=step.id)
-        look(step, "before")
+        found += in_hall(lecture, HEIGHT, f"{step.id}, before")
         put(step.id, lecture, *phones)  # then the class takes answers
         voted(server, code, name, step, tokens, phones)
         expect(lecture.locator(".votes [role=status]")).to_contain_text(f"{VOTERS + 1} ")
         clicked(lecture)
         lecture.wait_for_function(f"{LED}.votes.layer")
-        look(step, "with votes, before")
+        found += in_hall(lecture, HEIGHT, f"{step.id}, with votes, before")
         assert not isinstance(step, SketchStep) or lecture.evaluate(SKETCHED), step.id
         clicked(lecture)
         lecture.wait_for_function(TAUGHT)
-        look(step, "with votes, after")
+        found += in_hall(lecture, HEIGHT, f"{step.id}, with votes, after")
         for phone in phones:
             expect(phone.locator(".card .why")).to_be_attached()
         clicked(lecture)
         lecture.wait_for_function(f"!{LED}.votes.layer")
-        look(step, "explained, after")
+        found += in_hall(lecture, HEIGHT, f"{step.id}, explained, after")
         found += [f"{step.id}: {fault}" for fault in explained(lecture, step, "clicker")]
     assert not found, "\n".join(found)
 
@@ -251,13 +244,6 @@ def voted(server: Server, code: str, name: str, step: Step, tokens: list[str], p
     for phone, answer in zip(phones[:-1], given, strict=False):
         phone.evaluate(GIVEN, answer)
         sent(phone)
-
-
-FITS = ((853, 480), (1280, 720))
-SIZES = (*FITS, (1920, 1080), (1024, 768))
-UNDER = """oscillations.plots.filter(({host}) => host.checkVisibility())
-  .map(({figure: {model}}) => model?.below[0].major_label_text_font_size).filter(Boolean)"""
-UNIT = "parseFloat(getComputedStyle(document.documentElement).fontSize) / 16"
 
 
 def looked_at(page: Page, width: int, height: int) -> Iterator[str]:

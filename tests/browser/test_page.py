@@ -1,6 +1,4 @@
-"""The page plays without the server, restores a link, shows numbers at the pointer; single scenes; the start page. Then
-the lecture in frames of pages of another origin, and the snippet of docs/embedding.md, unchanged.
-"""
+"""The page plays without the server, and restores a link; single scenes; the start page; docs/embedding.md's frame."""
 
 import re
 from collections.abc import Callable, Iterator
@@ -16,14 +14,26 @@ from components.quantities.formatting import short
 from components.scenes import SCENES
 from physics.analogues import ANALOGUES
 from tests.browser import looks
-from tests.browser.fixtures import READY
-from tests.browser.looks import GRID, faults
+from tests.browser.fixtures import READY, Open
 from tests.browser.waiting import PASSED, UNFOLD, passed, played, seek, turned, unfold
 from tests.page import scripts
 from tests.serving.server import ROOT, Server
 
 pytestmark = pytest.mark.browser
-Open = Callable[..., Page]
+POINTED = """([name, share]) => {
+  const plot = oscillations.plots.find(({block}) => block.name === name), {frame} = plot
+  const box = plot.host.getBoundingClientRect(), x = Math.round(box.x + frame.left + share * frame.width)
+  return [x, box.y + frame.top + frame.height / 2, plot.valueAt({clientX: x, clientY: 0})]
+}"""
+PLACES = """[...document.querySelectorAll(".thumb g")].map(part => {
+  const {x, y, width, height} = part.getBoundingClientRect()
+  return [x, y, width, height].map(Math.round).join()
+}).join(" ")"""
+TOPS = "all => all.map(one => one.getBoundingClientRect()).map(({top, height}) => top + height / 2)"
+INK = """all => all.filter(one => getComputedStyle(one).backgroundColor === getComputedStyle(document.body).color)
+  .map(one => one.textContent)"""
+PAGE = (ROOT / "docs" / "embedding.md").read_text(encoding="utf-8")
+FRAME, LISTENER, _ = re.findall(r"```html\n(.*?)```", PAGE, re.S)
 
 
 def test_it_plays_without_the_server_and_reads_a_motion_as_it_is(page: Page, open_scene: Open) -> None:
@@ -61,14 +71,7 @@ def test_it_plays_without_the_server_and_reads_a_motion_as_it_is(page: Page, ope
 
 def pointed(page: Page, name: str, share: float) -> tuple[float, float, float]:
     """A point in a plot, in pixels, and its value on the horizontal axis."""
-    x, y, place = page.evaluate(
-        """([name, share]) => {
-      const plot = oscillations.plots.find(({block}) => block.name === name), {frame} = plot
-      const box = plot.host.getBoundingClientRect(), x = Math.round(box.x + frame.left + share * frame.width)
-      return [x, box.y + frame.top + frame.height / 2, plot.valueAt({clientX: x, clientY: 0})]
-    }""",
-        [name, share],
-    )
+    x, y, place = page.evaluate(POINTED, [name, share])
     return x, y, place
 
 
@@ -90,52 +93,43 @@ def test_numbers_at_the_pointer_and_at_a_handle_have_their_unit(desk: Page) -> N
 def test_a_link_restores_the_scene_and_names_what_it_refuses(page: Page, open_scene: Open) -> None:
     script = "<img src=x onerror=alert(1)>"
     open_scene(page, scene="coupled", k2="3.5", m1=script, energy="modes", hidden="x1_slow", window="50", fruit="pear")
-    state = page.evaluate(
-        "(s => ({k2: s.settings.k2.value, m1: s.settings.m1.value, hidden: s.state.hidden, end: s.view.axes.t.end}))"
-        "(oscillations.shown)"
-    )
-    assert state == {"k2": 3.5, "m1": 2, "hidden": ["x1_slow"], "end": 50}
+    state = "({settings: s, state, view}) => [s.k2.value, s.m1.value, state.hidden.join(), view.axes.t.end]"
+    assert page.evaluate(f"({state})(oscillations.shown)") == [3.5, 2, "x1_slow", 50]
     notice = page.locator(".notice")
+    expect(notice).to_be_visible()
     for text in ("m1", "fruit", "<img"):
         expect(notice).to_contain_text(text)
-    expect(notice).to_be_visible()
     assert notice.locator("img").count() == 0
     page.reload()
-    page.wait_for_function(READY)
-    assert page.evaluate("oscillations.shown.settings.k2.value") == 3.5
+    page.wait_for_function("globalThis.oscillations?.shown?.settings.k2.value === 3.5")
     with page.expect_navigation():  # before the change is answered
-        page.evaluate("""() => void setTimeout(() => {
-          oscillations.send({type: "set", values: {k2: 3}})
-          location.reload()
-        })""")
+        change = "oscillations.send({type: 'set', values: {k2: 3}})"
+        page.evaluate(f"() => void setTimeout(() => {{ {change}, location.reload() }})")
     page.wait_for_function("globalThis.oscillations?.shown?.settings.k2.value === 3")
 
 
-def level(page: Page, selector: str, way: str) -> float:
-    """The position of the middle or an edge of an element, from the top of the window."""
-    return float(page.evaluate(f"(b => {way})(document.querySelector('{selector}').getBoundingClientRect())"))
-
-
-def dot(page: Page, plot: str, tint: str) -> float:
-    """The height of the dot on a curve."""
-    find = f"oscillations.plots.find(p => p.block.name === '{plot}').dots.find(d => d.curve.tint === '{tint}').dot"
-    return float(page.evaluate(f"(b => b.top + b.height / 2)({find}.getBoundingClientRect())"))
+def level(page: Page, part: str, way: str = "b.top + b.height / 2") -> float:
+    """The position of the middle or an edge of an element, or of a dot (plot/tint), from the top of the window."""
+    plot, _, tint = part.partition("/")
+    dot = f"oscillations.plots.find(p => p.block.name === '{plot}').dots.find(d => d.curve.tint === '{tint}').dot"
+    found = dot if tint else f"document.querySelector('{part}')"
+    return float(page.evaluate(f"(b => {way})({found}.getBoundingClientRect())"))
 
 
 def test_masses_and_bars_are_level_with_their_curves(desk: Page) -> None:
     turned(desk, "oscillator", {"view": "formulas", "x_0": 0.15, "v_0": 0.0})
     for t in (0.2, 0.685, 1.4):
         seek(desk, t)
-        assert level(desk, "svg.stage rect.mass", "b.top + b.height / 2") == pytest.approx(dot(desk, "x", "m1"), abs=1)
-        assert dot(desk, "v", "T") == pytest.approx(dot(desk, "plane", "ink"), abs=1)
-        assert dot(desk, "a", "F") == pytest.approx(dot(desk, "law", "ink"), abs=1)
+        assert level(desk, "svg.stage rect.mass") == pytest.approx(level(desk, "x/m1"), abs=1)
+        assert level(desk, "v/T") == pytest.approx(level(desk, "plane/ink"), abs=1)
+        assert level(desk, "a/F") == pytest.approx(level(desk, "law/ink"), abs=1)
     turned(desk, "energy", {"view": "energy"})
     for t in (0.3, 1.09):
         seek(desk, t)
         V, T = (level(desk, f"svg.stage .{tint} > .body", "b.top") for tint in ("V", "T"))
         bottom = level(desk, "svg.stage .T > .body", "b.bottom")
-        assert [V, bottom] == pytest.approx([dot(desk, "energy", "V")] * 2, abs=1)
-        assert pytest.approx(dot(desk, "energy", "total"), abs=1) == T
+        assert [V, bottom] == pytest.approx([level(desk, "energy/V")] * 2, abs=1)
+        assert pytest.approx(level(desk, "energy/total"), abs=1) == T
 
 
 def test_pictures_choose_a_system_a_speed_and_presets_and_another_unit_changes_labels(desk: Page) -> None:
@@ -148,12 +142,12 @@ def test_pictures_choose_a_system_a_speed_and_presets_and_another_unit_changes_l
         expect(desk.locator(f"input[name={slug}_{system.parameters[0].name}]")).to_be_visible()
     desk.wait_for_url(re.compile("system=pipe"))
     turned(desk, "analogues", {"view": "motion", "system": "circuit"})
-    speed = desk.locator("[data-value=speed]").first
-    expect(speed).to_have_text("played 200\u202f000 times slower")
+    speed, usual = desk.locator("[data-value=speed]").first, "played 200\u202f000 times slower"
+    expect(speed).to_have_text(usual)
     desk.get_by_role("button", name="Slower").click()
-    expect(speed).not_to_have_text("played 200\u202f000 times slower")
+    expect(speed).not_to_have_text(usual)
     desk.get_by_role("button", name="Auto speed").click()
-    expect(speed).to_have_text("played 200\u202f000 times slower")
+    expect(speed).to_have_text(usual)
     turned(desk, "phugoid", {})
     unfold(desk)
     field = desk.locator("input[name=v_0]")
@@ -183,15 +177,6 @@ def test_a_measurement_is_run_skips_a_method_and_is_cancelled(desk: Page) -> Non
     desk.get_by_role("button", name="Cancel").click()
     expect(desk.locator(".count")).to_contain_text("methods measured here")
     expect(desk.get_by_role("button", name="Run again")).to_be_visible()
-
-
-PLACES = """[...document.querySelectorAll(".thumb g")].map(part => {
-  const {x, y, width, height} = part.getBoundingClientRect()
-  return [x, y, width, height].map(Math.round).join()
-}).join(" ")"""
-TOPS = "all => all.map(one => one.getBoundingClientRect()).map(({top, height}) => top + height / 2)"
-INK = """all => all.filter(one => getComputedStyle(one).backgroundColor === getComputedStyle(document.body).color)
-  .map(one => one.textContent)"""
 
 
 @pytest.fixture
@@ -227,20 +212,15 @@ def test_every_scene_is_there_and_opens_by_mouse_and_keys_and_one_filled_button_
 
 
 def test_nothing_leaves_any_screen_all_can_be_hit_and_is_read_in_the_order_in_which_it_is_seen(home: Page) -> None:
-    for width, height in GRID:
+    """Pictures move unless motion is reduced."""
+    for width, height in looks.GRID:
         home.set_viewport_size({"width": width, "height": height})
-        leaves = [fault for fault in faults(home) if fault.startswith(("cut", "the page"))]  # pictures have small type
+        leaves = [one for one in looks.faults(home) if one.startswith(("cut", "the page"))]  # pictures have small type
         assert leaves == [], (width, height)
     home.set_viewport_size({"width": 390, "height": 844})
     assert looks.of(home, looks.TARGETS, given=24) == []
     tops = home.locator("h1, h2, a:visible, button:visible, input:visible").evaluate_all(TOPS)
     assert tops == pytest.approx(sorted(tops), abs=8)
-    home.emulate_media(media="print")
-    expect(home.locator("a.scene-card:visible")).to_have_count(len(SCENES))
-    expect(home.get_by_role("link", name="Start here")).to_be_hidden()
-
-
-def test_pictures_move_unless_motion_is_reduced(home: Page) -> None:
     home.emulate_media(reduced_motion="reduce")
     home.reload()
     home.locator("a.scene-card").first.hover()
@@ -249,9 +229,12 @@ def test_pictures_move_unless_motion_is_reduced(home: Page) -> None:
     assert home.evaluate(PLACES) == before
     home.emulate_media(reduced_motion="no-preference")
     home.wait_for_function(f"before => {PLACES} !== before", arg=before)
+    home.emulate_media(media="print")
+    expect(home.locator("a.scene-card:visible")).to_have_count(len(SCENES))
+    expect(home.get_by_role("link", name="Start here")).to_be_hidden()
 
 
-def test_a_code_that_no_class_has_is_said_and_stays(quiet: Callable[..., Page], server: Server) -> None:
+def test_a_code_that_no_class_has_is_said_and_stays(quiet: Open, server: Server) -> None:
     page = quiet(390, 844, has_touch=True, is_mobile=True)  # the browser logs the refusal
     page.goto(server.url)
     assert looks.of(page, looks.FIELDS) == []
@@ -263,12 +246,8 @@ def test_a_code_that_no_class_has_is_said_and_stays(quiet: Callable[..., Page], 
     expect(field).to_have_value("ZZZZ")
 
 
-PAGE = (ROOT / "docs" / "embedding.md").read_text(encoding="utf-8")
-FRAME, LISTENER, _ = re.findall(r"```html\n(.*?)```", PAGE, re.S)
-
-
 @pytest.fixture
-def shown(quiet: Callable[..., Page], framed: Server, tmp_path: Path) -> Iterator[Callable[[str], Page]]:
+def shown(quiet: Open, framed: Server, tmp_path: Path) -> Iterator[Callable[[str], Page]]:
     """Shows a page of another origin."""
 
     def visit(html: str) -> Page:
