@@ -148,8 +148,8 @@ def test_a_value_set_by_a_finger_is_kept_when_the_browser_cancels_the_touch(phon
         before = value(phone, name)
         x, y = middle(phone.locator(where).first)
         stroke(Finger(phone), [(x, y), (x + 15, y), (x + 30, y + 1)], kind="touchCancel")
-        phone.wait_for_function(f"{FREE} && !oscillations.page.compare.pressed && !oscillations.busy.isPressed")
-        assert phone.evaluate("oscillations.clock.playing")
+        released = "(({page, busy, clock}) => !page.compare.pressed && !busy.isPressed && clock.playing)(oscillations)"
+        phone.wait_for_function(f"{FREE} && {released}")
         assert value(phone, name) != before, f"{where}: what was set last stands"
         assert value(phone, "v1_0") == 0, "and is no flick"
 

@@ -110,6 +110,7 @@ def test_answers_stay_in_the_browser_and_leaving_keeps_the_state_that_was_reache
     assert page.evaluate("[location.search, oscillations.shown.settings.k.value]") == [query, k], "they stay"
     page.locator(".walks summary").click()
     page.get_by_role("button", name="Leave the walk").click()
+    expect(page.locator(".card")).to_have_count(0)
     expect(page.locator("h1")).to_have_text("A swing is a turning arrow, seen from the side")
     assert page.evaluate("oscillations.shown.settings.m.value") == 4
     expect(page.locator(".panel input[name=m]")).to_be_visible()
