@@ -247,6 +247,9 @@ def ended(lecture: Page, phone: Page, deletes: str) -> None:
     for key in ("PageDown", "PageUp"):
         lecture.keyboard.press(key)
     assert lecture.evaluate(f"{LED} && !{LED}.isOver")
+    dialog.get_by_role("button", name="Cancel").click()
+    expect(dialog).to_have_count(0)
+    lecture.get_by_role("button", name="End the class").press("Enter")
     with lecture.expect_download() as download:
         lecture.keyboard.press("Enter")  # the filled button saves
     assert re.fullmatch(r"class-\w{4}\.csv", download.value.suggested_filename)
