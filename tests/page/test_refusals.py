@@ -5,7 +5,9 @@ continues, and the log has it once.
 import decimal
 import logging
 import math
+import sys
 from collections.abc import Callable
+from types import CodeType, FrameType
 from typing import Any
 
 import numpy as np
@@ -19,9 +21,12 @@ from components.quantities.refusals import BEYOND, LINK_LOST, SORRY, Once, in_wo
 from components.scene import Picture, Scene
 from components.scene.frames import FITTED
 from components.scenes import SCENES
-from components.session import worker
+from components.session import session
 from components.session.opening import opened
+from components.state.commands import RefusalError
 from components.state.link import Link
+from components.state.wire import packed
+from tests.grids import WHOLE
 from tests.page.headless_page import Page, set_values, unpacked
 
 LONG = "x" * 100_000
@@ -193,22 +198,57 @@ def test_numpy_warns_of_nothing_while_a_picture_is_made() -> None:
         np.float64(1e300) * 1e300
 
 
-JOBS: list[tuple[str, str, dict[str, Any]]] = [
-    ("about", "about_page", {}),
-    ("csv", "page_file", {}),
-    ("rows", "fitted", {"piece": 0, "of": 1, "t": [], "columns": [[]]}),
-    ("walk", "read_own", {"name": "mine", "text": ""}),
-]
-"""Messages that are handled by the worker, and the function that does the work."""
+MESSAGES: dict[str, dict[str, Any]] = {
+    "about": {},
+    "act": {"name": ""},
+    "choose": {"name": "view", "value": "roots"},
+    "csv": {},
+    "given": {"answer": {"walk": "", "step": ""}},
+    "lead": {"code": "", "key": ""},
+    "open": {"state": {"scene": "damped", "parameters": {"k": 50.0}}},
+    "rows": {"piece": 0, "of": 1, "t": [], "columns": [[]]},
+    "run": {"order": "cancel"},
+    "set": {"values": {"k": 50.0}},
+    "typed": {"name": "k", "text": "50"},
+    "walk": {"name": "", "text": ""},
+}
+ANSWERS = (RefusalError.__init__.__code__, packed.__code__)
+"""The handler has done its work when these are called."""
+BROKEN = 40 if WHOLE else 6
+"""Functions that fail, of each kind of message."""
 
 
-@pytest.mark.parametrize(("kind", "function", "fields"), JOBS)
-def test_a_failing_job_is_reported_and_the_page_continues(
-    kind: str, function: str, fields: dict[str, Any], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(worker, function, lambda *_: LOST["nothing"])
-    page = Page(SCENES["damped"]())
-    now, answer = page.now, page.send({"type": kind, **fields, "number": 4})
-    assert (answer["answer"], SORRY in str(answer), page.now) == (4, True, now)
-    told = set_values(page, k=77.0)
-    assert (told["errors"], told["settings"]["k"]["value"]) == ({}, 77.0)
+def handled(page: Page, kind: str, broken: CodeType | None = None) -> tuple[list[CodeType], dict[str, Any]]:
+    """Return the functions that a handler calls until its answer is known, and the answer. The one `broken` fails."""
+    called: dict[CodeType, None] = {}
+
+    def watch(frame: FrameType, event: str, argument: object) -> None:
+        code = frame.f_code
+        if code in ANSWERS:
+            sys.setprofile(None)
+        elif event == "call" and "/components/" in code.co_filename and code.co_filename != session.__file__:
+            called[code] = None
+            if code is broken:
+                raise RuntimeError(f"{code.co_name} is broken")
+
+    sys.setprofile(watch)
+    try:
+        answer = page.send({"type": kind, **MESSAGES[kind], "number": 4})
+    finally:
+        sys.setprofile(None)
+    return list(called), answer
+
+
+@pytest.mark.parametrize("kind", MESSAGES)
+def test_a_failing_handler_is_reported_and_the_page_continues(kind: str) -> None:
+    handled(Page(SCENES["damped"]()), kind)  # fills the caches
+    called, _ = handled(Page(SCENES["damped"]()), kind)
+    for broken in called[:: max(1, len(called) // BROKEN)]:
+        page = Page(SCENES["damped"]())
+        before = page.now
+        reached, answer = handled(page, kind, broken)
+        assert broken in reached
+        assert (answer["answer"], SORRY in str(answer)) == (4, True), (broken, answer)
+        assert page.now == before, broken
+        told = set_values(page, k=77.0)
+        assert (told["answer"], told["settings"]["k"]["value"]) == (2, 77.0)
