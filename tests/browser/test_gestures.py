@@ -57,7 +57,7 @@ PLACE = """grip => {
   const along = isBound ? "" : ways.map(way => way.across ?? (way.kind === "trade" ? "y" : "")).join("")
   return {x: left + width / 2, y: top + height / 2, begins, along}
 }"""
-"""The place of a grip, and the axes along which it follows; tests/scenes/test_grabs.py moves grips along curves."""
+"""The place of a grip, and the axes along which it follows; tests/scenes/test_drawn.py moves grips along curves."""
 STATE = """() => {
   const {shown, clock, host} = oscillations.page
   const values = Object.entries(shown.settings).map(([name, {value}]) => [name, value])

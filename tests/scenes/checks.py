@@ -18,9 +18,8 @@ from components.layout.controls import Choice
 from components.layout.sheet import blocks, in_force
 from components.layout.views import shown_blocks
 from components.quantities.parameters import Quantity
-from components.scene import Picture, Scene
+from components.scene import Scene
 from components.scene.face import SceneFace
-from components.scene.traces import Columns
 from components.scenes import SCENES
 from components.session.opening import opened
 from components.session.session import Session
@@ -87,9 +86,14 @@ def check_picture(scene: Scene | PageState) -> None:
     """All numbers of the picture, as Python has them and as they are sent, are finite, and its texts can be read.
 
     Columns and samples are sent as integers. Any other number that is not finite would be null, which `picture_wire`
-    refuses.
+    refuses. Numbers that only the browser draws may raise ValueError, if doubles cannot hold them.
     """
-    for source, data in numbers_of(scene.shown).items():
+    try:
+        drawn = scene.shown.sources
+    except ValueError as reason:
+        assert "doubles" in str(reason) or "more digits of arithmetic" in str(reason), reason
+        drawn = scene.shown.columns
+    for source, data in drawn.items():
         for name, column in data.items():
             assert np.all(np.isfinite(column)), f"{source}.{name}"
     message = picture_wire(scene)
@@ -97,16 +101,6 @@ def check_picture(scene: Scene | PageState) -> None:
         assert not LONG_NUMBER.search(text) and not HYPHEN.search(text), f"{name}: {text}"
     for axis in message["axes"].values():
         assert axis["start"] != axis["end"] and not any(LONG_NUMBER.search(label) for label in axis["labels"]), axis
-
-
-def numbers_of(picture: Picture) -> dict[str, Columns]:
-    """Read all numbers of a picture. Numbers that only the browser draws may raise ValueError, if doubles cannot hold
-    them."""
-    try:
-        return picture.sources
-    except ValueError as reason:
-        assert "doubles" in str(reason) or "more digits of arithmetic" in str(reason), reason
-        return picture.columns
 
 
 def as_arguments(query: str) -> dict[str, list[bytes]]:
@@ -177,7 +171,9 @@ def sentences(scene: Scene | SceneFace) -> list[str]:
     """Return the visible sentences of a scene, with live numbers filled in and formulas as plain text."""
     shown = set(map(id, shown_blocks(scene.sheet(), scene.values.get("view", ""))))
     seen = (block for block in in_force(scene.sheet(), scene.shown.forms) if id(block) in shown)
-    return [text for block in seen for text in _texts(scene, block)]
+    items: Iterator[Any] = (item for block in seen for item in getattr(block, "items", ()))
+    forms = ((item.variants, scene.shown.forms.get(item.name, "") if item.name else "") for item in items)
+    return [_read(scene, variants[form]) for variants, form in forms if variants.get(form)]
 
 
 def visible_text(scene: Scene | SceneFace) -> str:
@@ -208,13 +204,6 @@ def numbers(text: str) -> list[float]:
 def _named(scene: Any, name: str) -> Iterator[Forms]:
     texts = (one for block in blocks(scene.sheet()) for one in getattr(block, "items", ()))
     return (one for one in texts if name and one.name == name)
-
-
-def _texts(scene: Any, block: Any) -> Iterator[str]:
-    for item in getattr(block, "items", ()):
-        html = item.variants.get(scene.shown.forms.get(item.name, "") if item.name else "")
-        if html:
-            yield _read(scene, html)
 
 
 def _read(scene: Any, html: str) -> str:

@@ -2,11 +2,12 @@
 
 import re
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from itertools import cycle
 from pathlib import Path
+from unittest.mock import Mock
 
 import numpy as np
 import psutil
@@ -30,6 +31,16 @@ from tests.serving.visitor import Visitor
 
 pytestmark = pytest.mark.timeout(600)
 BENIGN = SYSTEMS["benign"]
+KINDS = {
+    "wide": r"Highly oscillatory: step times fast rate may be 0\.03\d* for accuracy, 2\.83 for stability\.",
+    "wider": r"Stiff: step times fast rate may be 43900 for accuracy, 2\.83.*",
+    "benign": r"Neither stiff nor highly oscillatory.*",
+}
+"""Sentences about the step that three systems allow."""
+VIEWS = [view.slug for view in Accuracy.views]
+TWO = ("closed", "verlet")
+SOLVING = [slug for slug, step in STEPPING.items() if step.solved or step.splits]
+"""Methods that solve equations, or the coupling spring, exactly: no step of theirs is too long for stability."""
 
 
 def a_run(method: str, setting: float, time: float | None, error: float | None, **more: object) -> Run:
@@ -50,30 +61,15 @@ BEFORE = (a_run("closed", 0, 2e-3, 2e-16), a_run("rk4", 3, 4e-3, 1e-4), a_run("b
 
 def measured(**values: object) -> Accuracy:
     scene = Accuracy(**values)
-    scene.set({"measured": (SYSTEMS["benign"], scene.limit, HERE, "done")})
+    scene.set({"measured": (BENIGN, scene.limit, HERE, "done")})
     return scene
-
-
-class HalfDone:
-    """A queue with one measurement that is half done, until it is `done`."""
-
-    done, budget = False, 90.0
-    job = Job(SYSTEMS["benign"], 1.0, LIVE, "running", {(run.method, run.setting): run for run in HERE[:2]})
-
-    def ask(self, *_: object) -> Job:
-        return self.job
-
-    def remembered(self, system: object, _: float) -> Job | None:
-        return replace(self.job, state="done") if self.done and system == self.job.system else None
-
-    def leave(self, *_: object) -> None:
-        """No visitor is kept here."""
 
 
 def test_what_has_been_measured_is_there_again_after_undo_and_on_a_new_page(monkeypatch: pytest.MonkeyPatch) -> None:
     """Of a measurement that is half done the page itself remembers, of one that has ended all pages of the process."""
-    one = HalfDone()
-    monkeypatch.setattr("components.scenes.accuracy.measurement.queue", lambda: one)
+    job = Job(BENIGN, 1.0, LIVE, "running", {(run.method, run.setting): run for run in HERE[:2]})
+    queue = Mock(spec=Measuring, budget=90.0, ask=Mock(return_value=job), remembered=Mock(return_value=None))
+    monkeypatch.setattr("components.scenes.accuracy.measurement.queue", lambda: queue)
     page = Page(Accuracy())
     page.send({"type": "run", "order": "start", "number": 1})
     page.session.running.notify()
@@ -85,7 +81,7 @@ def test_what_has_been_measured_is_there_again_after_undo_and_on_a_new_page(monk
     page.send({"type": "open", "state": before, "number": 4})
     assert known(page.scene).here.every == HERE[:2]
     assert not known(Page(Accuracy()).scene).here.every
-    one.done = True
+    queue.remembered.side_effect = lambda system, _: replace(job, state="done") if system == job.system else None
     assert known(Page(Accuracy()).scene).here.every == HERE[:2]
 
 
@@ -150,15 +146,6 @@ def test_growth_at_equal_error_and_at_equal_cost() -> None:
     assert Accuracy(system="dashpot").shown.axes["period"].unit == "relaxation times"
 
 
-KINDS = {
-    "wide": r"Highly oscillatory: step times fast rate may be 0\.03\d* for accuracy, 2\.83 for stability\.",
-    "wider": r"Stiff: step times fast rate may be 43900 for accuracy, 2\.83.*",
-    "benign": r"Neither stiff nor highly oscillatory.*",
-}
-"""Sentences about the step that three systems allow."""
-VIEWS = [view.slug for view in Accuracy.views]
-
-
 @pytest.mark.parametrize(("slug", "view"), [*zip(SYSTEMS, cycle(VIEWS))])
 def test_a_system_on_record_is_shown_before_anything_is_measured(slug: str, view: str) -> None:
     known = recorded(slug)
@@ -191,20 +178,9 @@ def test_the_first_view_draws_three_methods_that_leave_the_exact_motion() -> Non
     assert "more steps a period are needed: Verlet 6350, RK4 4490." in scene.shown.values["drifted"]
 
 
-TWO = ("closed", "verlet")
-
-
-SOLVING = [slug for slug, step in STEPPING.items() if step.solved or step.splits]
-"""Methods that solve equations, or the coupling spring, exactly: no step of theirs is too long for stability."""
-
-
-def runs(slug: str) -> Mapping[str, Sequence[Run]]:
-    return recorded(slug).runs.by_method
-
-
 def stepping(slug: str, wanted: float) -> dict[str, float]:
     """Evaluations of the adaptive methods, without one that 1,000 restarts make more accurate than asked."""
-    found = prices(runs(slug).values(), wanted)
+    found = prices(recorded(slug).runs.by_method.values(), wanted)
     known = {price.method: price.evaluations or 0.0 for price in found if price.time is not None}
     return {name: n for name, n in known.items() if METHODS[name].family in ("fixed", "adaptive") and name != "fortran"}
 
@@ -219,7 +195,7 @@ def test_what_the_presets_say_of_methods_is_true_of_the_record() -> None:
     found = stepping("wider", 1e-6)
     assert all(found[slug] > 1000 * found["gauss4"] for slug in found if slug in STEPPING and slug not in SOLVING)
     for method in ("midpoint", "newmark", "gauss4", "radau", "bdf"):
-        run = next(run for run in runs("dashpot")[method] if run.error is not None)
+        run = next(run for run in recorded("dashpot").runs.by_method[method] if run.error is not None)
         assert ((run.final_error or 0.0) < 0.01) == (method in ("radau", "bdf")), "long steps ring, or do not"
 
 

@@ -1,6 +1,10 @@
-"""The browser draws curves that are motions of the physics, marks on their curves, and true signals on the stage."""
+"""The browser draws curves that are motions of the physics, marks on their curves, and true signals on the stage.
+
+Draggable shapes of every scene use names of the scene, and the frame stays fixed during a drag.
+"""
 
 import math
+from collections import Counter
 from collections.abc import Callable, Mapping
 from itertools import product
 from typing import Any
@@ -9,13 +13,18 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from components.chain import EQUILIBRIUM, WALL
+from components.chain import EQUILIBRIUM, START, WALL
+from components.language.shapes import Along, AnyShape, Grab
 from components.language.signals import Sampled
 from components.quantities.axes import TIME_AXIS, Axis
 from components.quantities.instant import instant
 from components.scene import Picture, Scene
 from components.scenes import SCENES
+from components.scenes.coupled import BY_MODES
+from components.state.page_state import fitted
 from components.state.scene_sheet import column_axes, plots
+from tests.grids import WHOLE
+from tests.page.hand import Hand, grabs, sets
 from tests.page.headless_page import picture_wire
 from tests.page.scripts import played
 from tests.physics.truth import case_of
@@ -30,6 +39,29 @@ CORNERS = {"x_sliced": 5e-3}
 """The velocity of a sum of slices has a corner at each slice, which sampling cuts off."""
 TOLD, CLOSED = 1e-6, 1e-9
 """Error of a motion sent as a table of one period, and of one sent as a formula."""
+SHARES = np.array([0.0, 0.13, 0.37, 0.71, 0.98])
+"""Instants in windows."""
+NEXT = 1e-5
+"""The distance of instants, in windows, by which velocities are differences."""
+Played = Mapping[str, Any]
+Pairs = dict[str, tuple[Any, Any]]
+AT = 0.37
+"""The instant at which a hand takes hold, in the unit of the time axis."""
+ROOM = 0.6
+"""Pixels: a drag rounds the set value to about half a pixel."""
+OFTEN = 100 if WHOLE else 3
+"""In how many states each shape is dragged."""
+ALSO: dict[str, tuple[dict[str, Any], ...]] = {
+    "modes": (
+        {"view": "guess"},
+        {"view": "guess", "ratio": 2.0},
+        *({"view": "roots", "grows": grows, "c1": c, "c2": c} for grows in ("c1", "c2", "both") for c in (0.5, 10.0)),
+    ),
+    "absorber": ({"view": "rest", "x1_0": 0.002},),
+}
+"""States in which something else is in hand."""
+FOLLOWS = {"damped": ("c",), "driven": ("c",), "absorber": ("k2",), "coupled": ("given_by", *BY_MODES, *START)}
+"""Parameters that follow from one that is set: a tuned spring follows the speed, modes a start."""
 
 
 def axis_of(scene: type[Scene], picture: Picture, source: str, name: str) -> Axis:
@@ -176,14 +208,6 @@ def distance(mark: Any, curve: Any) -> float:
     return float(np.sqrt(np.sum((to - share * way) ** 2, axis=0)).min())
 
 
-SHARES = np.array([0.0, 0.13, 0.37, 0.71, 0.98])
-"""Instants in windows."""
-NEXT = 1e-5
-"""The distance of instants, in windows, by which velocities are differences."""
-Played = Mapping[str, Any]
-Pairs = dict[str, tuple[Any, Any]]
-
-
 def turning_arrow(s: Any, t: Any, now: Played) -> Pairs:
     """The tip of the arrow is on the level of x, its side on that of v over omega."""
     w = math.sqrt(s.k / s.m)
@@ -307,3 +331,65 @@ def test_masses_along_the_chain_never_meet() -> None:
     columns = scene.shown.sources["time"]
     x = scene.shown.scale * np.array([columns[f"x{p}"] for p in range(1, 51)])
     assert "times as large" in scene.shown.to_scale and np.diff(x, axis=0).min() > -0.9 * scene.a
+
+
+@pytest.mark.parametrize("slug", SCENES)
+def test_each_grab_sets_what_it_names_and_its_handle_is_where_the_hand_was(slug: str) -> None:
+    """In each preset and each way of showing things, on a wide page and on a phone."""
+    taken = Counter[AnyShape]()
+    ways = (*SCENES[slug].presets.values(), *ALSO.get(slug, ()), *choices(SCENES[slug]))
+    for values, wide in (({}, False), *((values, True) for values in ways)):
+        now = fitted(SCENES[slug].at(values))
+        for shape, grab in grabs(now.kind, now.shown.forms):
+            if taken[shape] < OFTEN:
+                taken[shape] += dragged(Hand(now, shape, wide=wide, t=AT), grab)
+    every = {shape for shape, _ in grabs(SCENES[slug])}
+    assert {shape for shape in every if taken[shape]} == every, f"not taken in hand: {slug}"
+
+
+def dragged(hand: Hand, grab: Grab) -> bool:
+    """Take a grip and drag it; return whether it is drawn."""
+    before, grip = hand.scene.values, hand.at()
+    free = {way.across for way in grab.ways if isinstance(way, Along) and not way.parameter}
+    if not grip:
+        return False
+    hand.set(hand.take())
+    x, y = hand.at() or pytest.fail(f"{grab.label} vanishes when it is taken")
+    if grab.start:
+        said = f"{grab.label} jumps when it is taken: is `size` one of the parameter in SI, `place` where it is drawn?"
+        assert (x, y) == pytest.approx(grip, abs=0.15), said
+    for far in ((7.0, -5.0), (-9.0, 6.0)):
+        values = hand.move((x + far[0], y + far[1]))
+        if any(hand.scene.param[name].refusal(value) for name, value in values.items()):
+            continue
+        hand.set(values)
+        changed = hand.scene.differing(before) & hand.scene.linked().keys()
+        assert changed <= {*sets(grab), *(one.parameter for one in grab.start), *FOLLOWS.get(hand.scene.slug, ())}
+        assert values.items() <= hand.scene.values.items()
+        after = hand.at(moved=False) or pytest.fail(f"{grab.label} vanishes when it is dragged")
+        for across, answered, drawn in zip("xy", after, hand.at() or (), strict=True):
+            assert across in free or answered == pytest.approx(drawn, abs=ROOM), grab.label
+        again, aside = hand.move(after), hand.move((after[0] + 1, after[1] + 1))
+        for name, value in values.items():
+            assert again[name] == pytest.approx(value, rel=1e-12, abs=0.1 * abs(aside[name] - value)), name
+    return True
+
+
+@pytest.mark.parametrize(("stiff", "exponent"), [(2.0, 0), (2e10, -6), (2e-12, 6)])
+def test_the_mode_that_is_not_taken_goes_on_with_the_velocity_that_it_had(stiff: float, exponent: int) -> None:
+    """The slope of its part of the motion gives the velocity, for times in s, in µs and in 10⁶ s."""
+    now = fitted(SCENES["coupled"](k1=stiff, k2=stiff, v1_0=0.1 * stiff**0.5).value)
+    time, place = now.shown.axes["t"].ruler, now.shown.axes["x"].ruler
+    assert (time.exponent, place.exponent) == (exponent, 0)
+    at, gap = 0.3 * time.end, 1e-6 * time.end
+    seen = played(now.shown, [at - gap, at + gap])
+    going = 0
+    for shape, grab in grabs(now.kind):
+        if velocities := [one for one in grab.start if one.of.startswith("v")]:
+            begun = Hand(now, shape, wide=True, t=at).take()
+            for one in velocities:
+                before, after = seen[f"x{one.of.removeprefix('v')}"]
+                slope = (after - before) / (2 * gap) / 10.0**exponent
+                assert begun[one.parameter] == pytest.approx(slope, rel=1e-6), grab.label
+                going += 1
+    assert going == 8

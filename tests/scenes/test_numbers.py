@@ -7,7 +7,7 @@ quadrature or root finding that fails there.
 
 import math
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from operator import attrgetter
 from typing import Any
 
@@ -211,8 +211,7 @@ def phugoid(scene: Any) -> Truth:
     start = 1 + excess
     C = start - start**3 / 3
     small = mp.sqrt(2) * mp.pi
-    found = {"gain": excess * v, "omega": mp.sqrt(2) * g / v, "tau": small * v / g, "C": (C, 1)}
-    return found
+    return {"gain": excess * v, "omega": mp.sqrt(2) * g / v, "tau": small * v / g, "C": (C, 1)}
 
 
 def chain(scene: Any) -> Truth:
@@ -247,14 +246,8 @@ def accuracy(scene: Any) -> Truth:
     return {"slow": (c - root) / (2 * m), "fast": (c + root) / (2 * m)}
 
 
-TRUTHS: dict[str, Callable[[Any], Truth]] = {
-    one.__name__: one
-    for one in (
-        oscillator, energy, analogues, phugoid, damped, driven, modes, coupled, forced, absorber, chain, accuracy,
-    )
-}  # fmt: skip
-
-
+SOLVED = (oscillator, energy, analogues, phugoid, damped, driven, modes, coupled, forced, absorber, chain, accuracy)
+TRUTHS: dict[str, Callable[[Any], Truth]] = {one.__name__: one for one in SOLVED}
 scenes = pytest.mark.parametrize("scene", SCENES.values(), ids=SCENES.keys())
 TOLERANCE = 1e-9
 ROOTS = ("slow", "fast", "third", "fourth")
@@ -262,7 +255,7 @@ OTHERWISE = {
     # test_single_scenes
     "driven": {"P_in", "P_lost", "on_peak", "strongest", "X_strongest", "misses", "slice_width"},
     "chain": {"E"},  # other than plucked: test_presets
-    "modes": {f"{root}_{part}" for root in ROOTS for part in ("rate", "omega", "zeta", "Q", "decay")},  # test_modes
+    "modes": {f"{root}_{part}" for root in ROOTS for part in ("rate", "omega", "zeta", "Q", "decay")},  # test_motions
     "phugoid": {"tau_exact", "late"},  # test_single_scenes
     "absorber": {"help_low", "help_high"},  # tests/physics/test_chain, and test_presets
     "analogues": {"inertia", "stiffness"},  # tests/physics/test_one_mass
@@ -289,18 +282,14 @@ def check(scene: Scene, numbers: dict[str, SceneNumber], truth: Truth) -> set[st
     return both
 
 
-def texts(scene: Scene) -> Mapping[str, str]:
-    """The texts of a picture; none where it is refused."""
-    if scene.values["view"] == "solve":
-        return {}  # it leaves the dashpots out, and has its frequencies under the names of those with dashpots
-    try:
-        return scene.shown.values
-    except ValueError:
-        return {}
-
-
-def check_texts(numbers: dict[str, SceneNumber], told: Mapping[str, str]) -> None:
+def check_texts(scene: Scene, numbers: dict[str, SceneNumber]) -> None:
     """A shown number differs from the exact one by at most half of its third digit or of its last place."""
+    if scene.values["view"] == "solve":
+        return  # it leaves the dashpots out, and has its frequencies under the names of those with dashpots
+    try:
+        told = scene.shown.values
+    except ValueError:
+        return
     for name, number in numbers.items():
         plain = told.get(name, "").replace("\N{MINUS SIGN}", "-").replace(" ", "")
         if number.unit in AS_SHOWN and re.fullmatch(r"[-+]?\d+(\.\d+)?", plain):
@@ -311,8 +300,7 @@ def check_texts(numbers: dict[str, SceneNumber], told: Mapping[str, str]) -> Non
 
 @scenes
 def test_the_numbers_are_those_of_another_route_and_of_the_texts(scene: type[Scene]) -> None:
-    seen: set[str] = set()
-    known: set[str] = set()
+    seen, known = set[str](), set[str]()
 
     def compare(one: Scene, numbers: dict[str, SceneNumber]) -> None:
         for name, number in numbers.items():
@@ -320,7 +308,7 @@ def test_the_numbers_are_those_of_another_route_and_of_the_texts(scene: type[Sce
             assert number.description and not number.description.endswith("."), name
         with mp.workdps(DIGITS):
             seen.update(check(one, numbers, TRUTHS[scene.slug](one)))
-        check_texts(numbers, texts(one))
+        check_texts(one, numbers)
         known.update(numbers)
 
     in_any_state(scene, attrgetter("numbers"), compare, 96, DECADES)

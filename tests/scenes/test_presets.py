@@ -16,6 +16,19 @@ from physics.coupled import TwoMassChain
 from physics.damped import DampedOscillator
 from tests.scenes.checks import check_picture, number, said, taken, visible_text
 
+PERIODS = {
+    **{"oscillator": "tau", "energy": "tau", "analogues": "period", "phugoid": "tau", "coupled": "omega_minus"},
+    **{"modes": "omega_slow", "forced": "omega_minus", "absorber": "slow", "chain": "slowest", "accuracy": "slow"},
+}
+"""The number with the period of a scene, or with a natural frequency."""
+GOLDEN = (math.sqrt(5) - 1) / 2
+OWN = math.sqrt(39.48)
+"""The natural frequency of the default mass and spring."""
+MACHINE = {"own": True, "m1": 3.0, "k1": 1.0, "F_0": 1.0, "m2": 1.0}
+"""sqrt(k1/m1) = sqrt(1/3) is no double."""
+LIGHT = {"c1": 0.1, "c2": 0.1}
+FREE = {"tuning": "free", "k2": 36864.0}
+
 
 def column(s: Any, name: str, source: str = "time") -> Any:
     return s.shown.sources[source][name]
@@ -37,11 +50,6 @@ def kept(s: Any) -> float:
     return math.exp(-2 * math.pi * s.zeta / math.sqrt(1 - s.zeta**2))
 
 
-def heat(s: Any) -> float:
-    """The share of the energy that is heat after 0.2 s, in percent."""
-    return float(100 - 100 * np.interp(0.2, column(s, "t"), column(s, "E")) / column(s, "E_0")[0])
-
-
 def longer(s: Any) -> float:
     """The period of the pendulum over that of small swings."""
     return value(s, "period") / value(s, "small_period")
@@ -51,11 +59,6 @@ def response(s: Any, zeta: float | None = None) -> float:
     """The swing over that of a steady push, of the base or of the unbalance."""
     size = {"force": s.F_0 / s.k, "base": s.Y, "unbalance": s.moment / s.m}[s.kind]
     return value(s.value.at({**s.values, "zeta": zeta or s.zeta, "keep": "zeta"}), "X") / size
-
-
-def inertia(s: Any) -> float:
-    """The force of inertia over the push."""
-    return value(s, "X") * s.omega**2 * s.m / s.F_0
 
 
 def ripple(s: Any) -> float:
@@ -103,12 +106,13 @@ SAID: list[tuple[str, str, str, Callable[[Any], Any]]] = [
     ("damped", "Critical", "0.674", lambda s: late(SCENES["damped"](zeta=0.83), 0.01)),
     ("damped", "Thrown", "0.0506", lambda s: value(s, "zero")),
     ("damped", "Thrown", "−0.0525", lambda s: column(s, "x").min()),
-    ("damped", "Thrown", "98.8", heat),
+    ("damped", "Thrown", "98.8", lambda s: 100 - 100 * np.interp(0.2, column(s, "t"), column(s, "E"))
+     / column(s, "E_0")[0]),
     ("driven", "Below", "1.72", response),
-    ("driven", "Below", "0.842", inertia),
+    ("driven", "Below", "0.842", lambda s: value(s, "X") * s.omega**2 * s.m / s.F_0),
     ("driven", "Below", "0.502", lambda s: value(s, "phi")),
     ("driven", "Resonance", "2.5", response),
-    ("driven", "Above", "1.29", inertia),
+    ("driven", "Above", "1.29", lambda s: value(s, "X") * s.omega**2 * s.m / s.F_0),
     ("driven", "Above", "2.88", lambda s: value(s, "phi")),
     ("driven", "Strong dashpot", "0.625", lambda s: 1 / (2 * s.zeta)),
     ("driven", "Beats", "0.267", lambda s: value(s, "X")),
@@ -171,13 +175,6 @@ def test_what_the_sentence_of_a_preset_says_is_true(
     assert found == pytest.approx(number(text), abs=0.5 * last) if text else found
 
 
-PERIODS = {
-    **{"oscillator": "tau", "energy": "tau", "analogues": "period", "phugoid": "tau", "coupled": "omega_minus"},
-    **{"modes": "omega_slow", "forced": "omega_minus", "absorber": "slow", "chain": "slowest", "accuracy": "slow"},
-}
-"""The number with the period of a scene, or with a natural frequency."""
-
-
 @pytest.mark.parametrize("slug", PERIODS)
 def test_a_period_is_played_in_one_to_twelve_seconds(slug: str) -> None:
     """From microseconds to minutes; without a spring there is no period."""
@@ -188,27 +185,15 @@ def test_a_period_is_played_in_one_to_twelve_seconds(slug: str) -> None:
         assert not period or 1 <= period / scene.shown.pace.auto <= 12, label
 
 
-GOLDEN = (math.sqrt(5) - 1) / 2
-OWN = math.sqrt(39.48)
-"""The natural frequency of the default mass and spring."""
-MACHINE = {"own": True, "m1": 3.0, "k1": 1.0, "F_0": 1.0, "m2": 1.0}
-"""sqrt(k1/m1) = sqrt(1/3) is no double."""
-LIGHT = {"c1": 0.1, "c2": 0.1}
-FREE = {"tuning": "free", "k2": 36864.0}
-
-
 def slow(**chain: float) -> float:
     return float(TwoMassChain(**chain).modes().omega[0])
 
 
 Given = dict[str, Any]
 STATES: dict[str, list[tuple[Given, Given]]] = {
-    "oscillator": [
-        ({"view": "force", "k": 1e5, "x_0": 0.2, "v_0": 0.0}, {"values.F_unit": "·10³ N", "scalars.forced": 1}),
-    ],
-    "energy": [
-        ({"x_0": 0.001}, {"scalars.natural_seen": 0, "scalars.natural_far": 1, "axes.x.end": -0.00125}),
-    ],
+    "oscillator": [({"view": "force", "k": 1e5, "x_0": 0.2, "v_0": 0.0},
+                    {"values.F_unit": "·10³ N", "scalars.forced": 1})],
+    "energy": [({"x_0": 0.001}, {"scalars.natural_seen": 0, "scalars.natural_far": 1, "axes.x.end": -0.00125})],
     "analogues": [
         ({"theta_0": 50.104}, {"values.late_percent": "5.00"}),
         ({"theta_0": 0.0}, {"values.end_left": "0°", "values.end_right": "0°"}),
@@ -218,9 +203,8 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
         ({"excess": 0.0}, {"values.verdict": "Steady level flight: nothing swings."}),
         ({"view": "limits"}, {"scalars.family_named": 1}),
     ],
-    "damped": [
-        ({"c": 40.0}, {"values.tau_d": "", "scalars.has_tau_d": 0, "numbers.omega_d": None, "numbers.delta": None})
-    ],
+    "damped": [({"c": 40.0}, {"values.tau_d": "", "scalars.has_tau_d": 0, "numbers.omega_d": None,
+                              "numbers.delta": None})],
     "chain": [
         ({"N": 8, "ends": "free-free", "starts": "mass", "p": 1.0, "h": 0.0, "v_0": 1.0}, {"notes": "0.125 m/s",
          "numbers.slowest": 0.0}),
@@ -250,9 +234,7 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
         ({"view": "convolution", "push": "impulses", "omega": 2.0}, {"sums": "An impulse is a slice already",
          "forms.has_slices": "", "forms.tail": "each_jolt"}),
     ],
-    "coupled": [
-        ({"k1": 0.0, "k2": 0.0, "v1_0": 1.0}, {"sources.time.x1_fast": None, "forms.slow_omega": "two"}),
-    ],
+    "coupled": [({"k1": 0.0, "k2": 0.0, "v1_0": 1.0}, {"sources.time.x1_fast": None, "forms.slow_omega": "two"})],
     "modes": [
         ({"view": "sweep"}, {"scalars.cross": math.log10(4)}),  # m1 k2 = m2 (k1 + k2): 2 k2 = 4 + k2
         ({"view": "guess", "k2": 2.0, "omega": math.nextafter(math.sqrt(2), 0.0)},  # no double: mass 1 rests
@@ -260,8 +242,8 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
         ({"view": "guess", "omega": 0.7, "ratio": 3.0},  # arrows in proportion to the forces, the longest 0.17
          {"scalars.need1_N": -0.04165, "scalars.give1_N": 0.0, "scalars.need2_N": -0.062475, "scalars.give2_N": -0.17}),
         ({"view": "roots", "c1": 0.1},  # k1/c1 = 40; the double root is at c1 = 2
-         {"scalars.ring_slow": 1, "scalars.ring_fast": 2, "scalars.radius1": 40, "scalars.radius2": 0}),
-        ({"view": "roots", "c1": 0.1}, {"scalars.met": 1, "scalars.met1": -0.5, "scalars.met1_im": math.sqrt(1.75)}),
+         {"scalars.ring_slow": 1, "scalars.ring_fast": 2, "scalars.radius1": 40, "scalars.radius2": 0,
+          "scalars.met": 1, "scalars.met1": -0.5, "scalars.met1_im": math.sqrt(1.75)}),
         ({"view": "roots", "c1": 0.1, "grows": "c2"}, {"scalars.met": 0}),
         *(({"view": one, "c1": 0.1}, {"notes": "without the dashpots"}) for one in ("guess", "solve", "sweep", "hunt")),
         ({"view": "hunt"}, {"forms.answer": "", "columns.answer": None, "values.answer_slow": None,
@@ -280,9 +262,9 @@ STATES: dict[str, list[tuple[Given, Given]]] = {
         ({"omega": GOLDEN + 2e-5, "window": 2e5}, {"forms.x1_limit": "beats"}),
         ({"omega": (1 + 1e-9) * GOLDEN}, {"sources.time.x1_p": None, "notes": "far larger than their sum"}),
         ({"view": "bode", "omega": 1.0}, {"text": "mass 2 lags 180°"}),
-        ({"view": "bode", **LIGHT}, {"axes.omega.log": True, "axes.X.log": True}),
+        ({"view": "bode", **LIGHT}, {"axes.omega.log": True, "axes.X.log": True,
+         "text": "peaks at 0.617 (width 0.0383) and 1.62 (width 0.256) rad/s"}),
         ({"view": "bode", **LIGHT, "scale": "size"}, {"axes.omega.log": False}),
-        ({"view": "bode", **LIGHT}, {"text": "peaks at 0.617 (width 0.0383) and 1.62 (width 0.256) rad/s"}),
         ({"c1": 0.4, "omega": 0.0}, {"notes": "At ω = 0 the force F₀ sin ωt is 0 at all times."}),
     ],
     "absorber": [

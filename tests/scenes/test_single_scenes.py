@@ -47,6 +47,7 @@ from tests.scenes.checks import SIZES, by_link, harmonics, number, quantities
 DAMPED, DRIVEN = SCENES["damped"], SCENES["driven"]
 KINDS = ("force", "base", "unbalance")
 PUSHES = ("square", "triangle", "pulses", "impulses")
+SMALL = st.floats(-4, -0.83).map(lambda power: 10**power)
 
 
 def test_ticks_are_the_amplitudes_and_the_planes_share_them() -> None:
@@ -98,12 +99,7 @@ def test_only_the_chosen_systems_controls_are_visible(slug: str) -> None:
 
 
 @settings(max_examples=tries(60), deadline=None)
-@given(
-    st.sampled_from(KINDS),
-    st.floats(-1.0, 1.0).map(lambda power: 10.0**power),
-    st.floats(0.1, 2.4),
-    st.floats(0.01, 1.5),
-)
+@given(st.sampled_from(KINDS), st.floats(-1.0, 1.0).map(lambda e: 10.0**e), st.floats(0.1, 2.4), st.floats(0.01, 1.5))
 def test_its_polygon_closes_on_the_push(kind: str, m: float, r: float, zeta: float) -> None:
     """In units of the push, or of k Y, with X up, of the unbalance the acceleration; within its stage."""
     scene = DRIVEN(kind=kind, m=m, zeta=zeta, omega=r * math.sqrt(39.48 / m))
@@ -231,9 +227,6 @@ def flown(excess: float) -> tuple[float, float, float, bool]:
     in_time = np.abs(h - excess * (1 - np.cos(math.sqrt(2) * t)) - excess**2 / 2).max()
     late = period / (math.sqrt(2) * math.pi)
     return late, float(in_step / (np.ptp(h) / 2)), float(in_time / abs(excess)), bool(way.u.min() < 0)
-
-
-SMALL = st.floats(-4, -0.83).map(lambda power: 10**power)
 
 
 @settings(max_examples=tries(60))

@@ -112,7 +112,7 @@ def test_the_scene_of_the_tutorial_is_typed_and_passes_its_own_tests_and_those_o
     for command in (["ruff", "check"], ["ruff", "format", "--check"], ["mypy"]):
         run(project, *command, "components/scenes/friction")
     run(project, "tools.house_rules")
-    files = [f"tests/scenes/test_{name}.py" for name in ("friction", "every_scene", "presets", "grabs", "drawn")]
+    files = [f"tests/scenes/test_{name}.py" for name in ("friction", "every_scene", "presets", "drawn")]
     files += [f"tests/page/test_{name}.py" for name in ("names", "covers", "opening", "frames")]
     told = run(project, "pytest", "-q", "-p", "no:cacheprovider", "-k", "friction", *files)
     passed = re.search(r"(\d+) passed", told)
