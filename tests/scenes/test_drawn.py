@@ -192,20 +192,16 @@ def test_a_mark_is_on_its_curve(
     for at, high in pairs:
         mark = shown.scalars[at], shown.scalars[high] if isinstance(high, str) else up.place(high)
         place = np.array([shares(axis, one) for axis, one in zip((across, up), mark, strict=True)])
-        assert distance(place, curve) < NEAR, (at, high, place)
+        start, way = curve[:, :-1], np.diff(curve)
+        to = place[:, None] - start
+        share = np.clip(np.sum(to * way, axis=0) / np.maximum(np.sum(way * way, axis=0), 1e-300), 0.0, 1.0)
+        distance = np.sqrt(np.sum((to - share * way) ** 2, axis=0)).min()
+        assert distance < NEAR, (at, high, place)
 
 
 def shares(axis: Axis, places: Any) -> Any:
     """Places on an axis in its lengths."""
     return places / abs(axis.place(axis.end) - axis.place(axis.start))
-
-
-def distance(mark: Any, curve: Any) -> float:
-    """The distance of a point from a polyline (2, n)."""
-    start, way = curve[:, :-1], np.diff(curve)
-    to = mark[:, None] - start
-    share = np.clip(np.sum(to * way, axis=0) / np.maximum(np.sum(way * way, axis=0), 1e-300), 0.0, 1.0)
-    return float(np.sqrt(np.sum((to - share * way) ** 2, axis=0)).min())
 
 
 def turning_arrow(s: Any, t: Any, now: Played) -> Pairs:

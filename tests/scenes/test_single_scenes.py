@@ -126,20 +126,6 @@ def pushed(scene: Any) -> tuple[DampedOscillator, PushedMass]:
     return one, one.pushed(PeriodicPush(kind=scene.push, size=size, omega=scene.omega, width=scene.width))
 
 
-def shown_x(scene: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The instants of a window with the lowest and the highest x that is drawn there: a band, a line, or a line that
-    follows a band."""
-    told, t = scene.shown, scene.shown.traces["time"].t
-    if "x" in told.traces["time"].names:
-        line = told.traces["time"].columns["x"]
-        return t, line, line
-    if not (late := told.columns["late"]):
-        return t, *(told.columns["band"][end] for end in ("x_lo", "x_hi"))
-    first = len(t) - len(late["t"])
-    low, high = (np.concatenate([told.columns["ringing"][end][:first], late["x"]]) for end in ("x_lo", "x_hi"))
-    return t, low, high
-
-
 @settings(max_examples=tries(140), deadline=None)
 @given(
     st.sampled_from((*KINDS, *PUSHES)), st.floats(-6, 6), st.floats(-5, 1), st.floats(0.1, 300), st.floats(-0.1, 0.1)
@@ -147,10 +133,17 @@ def shown_x(scene: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 def test_what_is_drawn_of_x_holds_all_of_it_and_stays_in_the_frame(
     kind: str, power: float, damping: float, window: float, x_0: float
 ) -> None:
-    """For a motion drawn as a line, a band, or first a band and then a line; to half a pixel."""
+    """For a motion drawn as a line, a band, or first a band and then a line that follows it; to half a pixel."""
     own = {"kind": kind} if kind in KINDS else {"kind": "force", "push": kind, "view": "harmonics"}
     scene = DRIVEN(**own, omega=2 * math.pi * 10**power, zeta=10**damping, window=window, x_0=x_0)
-    t, low, high = shown_x(scene)
+    told, t = scene.shown, scene.shown.traces["time"].t
+    if "x" in told.traces["time"].names:
+        low = high = told.traces["time"].columns["x"]
+    elif late := told.columns["late"]:
+        first = len(t) - len(late["t"])
+        low, high = (np.concatenate([told.columns["ringing"][end][:first], late["x"]]) for end in ("x_lo", "x_hi"))
+    else:
+        low, high = (told.columns["band"][end] for end in ("x_lo", "x_hi"))
     pixel = 0.005 * scene.shown.axes["x"].end
     rows = np.linspace(0, len(t) - 1, 40).astype(int)
     if kind in KINDS:
