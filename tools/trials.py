@@ -44,7 +44,11 @@ def copied(source: Path, folder: Path) -> Path:
 
 
 def failures(folder: Path, file: str, faulty: str, tests: Sequence[str]) -> list[str]:
-    """Return the first test that fails in a copy of the project with the fault, or another reason why they stop."""
+    """Return the first test that fails in a copy of the project with the fault, or another reason why they stop. Raises
+    ValueError for a test file that does not exist.
+    """
+    if missing := [test for test in tests if not (folder / test.partition("::")[0]).exists()]:
+        raise ValueError(f"There is no test file {missing[0]}.")
     path = folder / file
     sound = path.read_bytes()
     ours, theirs = forks.Pipe(duplex=False)
@@ -68,11 +72,9 @@ def _answer(process: Connection) -> list[str]:
     if not process.poll(ENDLESS):
         return ["no end"]
     try:
-        names: list[str] | None = process.recv()
+        names: list[str] = process.recv()
     except EOFError:
         return ["the process ends"]
-    if names is None:
-        raise ValueError("pytest does not know one of the files.")
     return names
 
 
@@ -91,8 +93,7 @@ def _run(answer: Connection, folder: Path, tests: list[str]) -> None:
     trial = _Trial(tests)
     files = [*dict.fromkeys(test.partition("::")[0] for test in tests)]
     code = pytest.main(["-q", "-x", "-m", "not slow", "-p", "no:cacheprovider", *files], plugins=[trial])
-    is_unknown = code == pytest.ExitCode.USAGE_ERROR
-    answer.send(None if is_unknown else trial.failed or ([f"exit {int(code)}"] if code not in (0, 5) else []))
+    answer.send(trial.failed or ([f"exit {int(code)}"] if code not in (0, 5) else []))  # 4: conftest.py cannot be loaded
 
 
 class _Trial:
