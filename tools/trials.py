@@ -93,7 +93,8 @@ def _run(answer: Connection, folder: Path, tests: list[str]) -> None:
     trial = _Trial(tests)
     files = [*dict.fromkeys(test.partition("::")[0] for test in tests)]
     code = pytest.main(["-q", "-x", "-m", "not slow", "-p", "no:cacheprovider", *files], plugins=[trial])
-    answer.send(trial.failed or ([f"exit {int(code)}"] if code not in (0, 5) else []))  # 4: conftest.py cannot be loaded
+    # The code is 4 if conftest.py cannot be loaded.
+    answer.send(trial.failed or ([f"exit {int(code)}"] if code not in (0, 5) else []))
 
 
 class _Trial:
