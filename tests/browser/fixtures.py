@@ -23,13 +23,19 @@ CONNECTED = f"{READY} && document.documentElement.dataset.connected === 'true'"
 expect.set_options(timeout=9_000)
 Open = Callable[..., Page]
 CALMER = """{
-  const real = requestAnimationFrame, waiting = new Set()
-  let last = 0
+  const real = requestAnimationFrame
+  const waiting = new Map()
+  let last = 0, count = 0
+  const pump = now => {
+    if (++count % 3) return real(pump)
+    const due = [...waiting.values()]
+    waiting.clear()
+    for (const act of due) try { act(now) } catch (fault) { reportError(fault) }
+  }
   globalThis.requestAnimationFrame = act => {
-    const id = ++last
-    waiting.add(id)
-    real(() => real(() => real(now => waiting.delete(id) && act(now))))
-    return id
+    if (!waiting.size) real(pump)
+    waiting.set(++last, act)
+    return last
   }
   globalThis.cancelAnimationFrame = id => waiting.delete(id)
 }"""
