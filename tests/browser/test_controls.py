@@ -1,4 +1,4 @@
-"""The page by hand, by keys and for screen readers: fields, sliders, help, tabs, the navigation, what is announced."""
+"""Fields, sliders, help, tabs, navigation and announcements, with a mouse, with keys and for screen readers."""
 
 import math
 import re

@@ -51,7 +51,7 @@ QUESTIONS: tuple[tuple[dict[str, str], str], ...] = (
     ({"is-0": "x1_0"}, "Sketch mass 1."),
     ({"question": "Mark where mass 2 begins.", **POINT}, "Mark where mass 2 begins."),
 )
-"""What is typed to write a step of each kind, and what is then said or listed."""
+"""The text to type for a step of each kind, and a part of the message or the list that follows."""
 COVERED = {"plot:x2", "value:omega_minus", "form:beat"}
 REFUSED = {
     "big.toml": (b"#" * 48_001, "big.toml: the file has 48001 bytes; at most 48000 are allowed."),

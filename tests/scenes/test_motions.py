@@ -281,7 +281,7 @@ def test_as_a_mass_wants_takes_its_force_away() -> None:
 
 
 def crosses(scene: ModesScene) -> list[complex]:
-    """Where the four crosses are, in 1/s, however far out."""
+    """The places of the four crosses in 1/s, also outside the frame."""
     re, im = (scene.shown.axes[name] for name in ("re", "im"))
     places = scene.shown.scalars
     return [

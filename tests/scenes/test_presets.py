@@ -73,7 +73,7 @@ def swing(s: Any, name: str) -> float:
 
 
 def one_mode(s: Any, other: str, sign: float) -> bool:
-    """Whether both masses swing in one mode, with or against each other."""
+    """Return whether the masses swing in one mode only, in phase (`sign` 1) or in opposite phase (-1)."""
     moving = np.abs(column(s, "x1")) > 1e-9
     ways = np.sign(column(s, "x1") * column(s, "x2"))[moving]
     return swing(s, f"x1_{other}") < 1e-15 and set(ways) == {sign}
