@@ -21,7 +21,7 @@ from components.scene import Picture
 from components.scene.face import SceneFace, face_of
 from components.scenes import SCENES
 from components.scenes.things import THINGS
-from components.serving.assets import STATIC
+from components.serving.assets import STATIC, Asset, packed_files
 from components.serving.shell import navigation, page_template, when_open
 from components.serving.start import StartPage
 from components.session.links import linked
@@ -51,10 +51,6 @@ FIGURES = {
 """Values for /metrics that come from scenes: by name, a description and a function that returns the value."""
 
 
-SHEETS = {sheet_address(scene): sheet_json(scene) for scene in SCENES.values()}
-"""The sheets of all scenes, by their address below assets/."""
-
-
 NO_WALKS: Walks = MappingProxyType({})
 
 
@@ -65,12 +61,11 @@ def visited(query: Query, walks: Walks) -> Session:
 
 
 class Lectured(NamedTuple):
-    """The parts from which a server is made: the function that opens a page, the files of all walks by their address,
-    the
-    questions for live classes, and the start page."""
+    """The parts from which a server is made: the function that opens a page, the files of all scenes and walks by their
+    address below assets/, the questions for live classes, and the start page."""
 
     open_page: Callable[..., None]
-    files: dict[str, bytes]
+    files: dict[str, Asset]
     bank: QuestionBank
     start: StartPage
 
@@ -78,13 +73,15 @@ class Lectured(NamedTuple):
 def walked(folders: Iterable[Path]) -> Lectured:
     """Return the parts of a server with the built-in walks and the walks in these folders."""
     walks = all_walks(folders, SCENES)
+    sheets = {sheet_address(scene): sheet_json(scene) for scene in SCENES.values()}
     files = [walk_file(walk, SCENES) for walk in walks.values()]
     listed = [
         {"name": walk.name, "title": walk.title, "sheet": address}
         for walk, (address, _) in zip(walks.values(), files, strict=True)
     ]
     opening = partial(open_page, walks=walks, listed=listed)
-    return Lectured(opening, dict(files), QuestionBank(walks, SCENES), StartPage(SCENES, listed, THINGS))
+    packed = packed_files(sheets | dict(files))
+    return Lectured(opening, packed, QuestionBank(walks, SCENES), StartPage(SCENES, listed, THINGS))
 
 
 def open_page(

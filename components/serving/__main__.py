@@ -54,11 +54,8 @@ def tell(settings: Settings, port: int) -> str:
 
 async def serve(settings: Settings) -> None:
     """Serve until the process is asked to end."""
-    from app import (
-        FIGURES,
-        SHEETS,
-        walked,
-    )  # importing all scenes takes seconds; the first line of the log must not wait for that
+    # Importing all scenes takes seconds. The first line of the log does not wait for it.
+    from app import FIGURES, walked
 
     folders = [settings.walks] if settings.walks else []
     lecture, worker = walked(map(Path, folders)), ReadingProcess("reading", *folders)
@@ -68,8 +65,7 @@ async def serve(settings: Settings) -> None:
     numbers = NumbersRoute(worker, settings.arrivals)
     open_page = partial(lecture.open_page, lead=live_class.lead, worker=worker)
     figures = {**FIGURES, "readings": ("Jobs of the worker process that run or wait", lambda: worker.pending)}
-    sheets = {**SHEETS, **lecture.files}
-    server = Server(open_page, settings, figures, sheets, [live_class, numbers], lecture.start)
+    server = Server(open_page, settings, figures, lecture.files, [live_class, numbers], lecture.start)
     asyncio.get_running_loop().call_later(WARM_UP, worker.warm)
     asked: asyncio.Queue[float] = asyncio.Queue()
     for name, notice in ((signal.SIGTERM, settings.notice_seconds), (signal.SIGINT, 0.0)):

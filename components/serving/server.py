@@ -16,7 +16,7 @@ from tornado.httpserver import HTTPServer
 from tornado.ioloop import IOLoop, PeriodicCallback
 
 from components.serving.admission import Admission
-from components.serving.assets import AssetFiles, assets, packed_files
+from components.serving.assets import Asset, AssetFiles, assets
 from components.serving.bokeh_patches import mend
 from components.serving.context import Context
 from components.serving.handlers import Missing, Moved
@@ -62,7 +62,7 @@ class Server:
         open_page: OpenPage,
         settings: Settings,
         figures: Looked | None = None,
-        sheets: Mapping[str, bytes] | None = None,
+        sheets: Mapping[str, Asset] | None = None,
         extensions: Sequence[Extension] = (),
         start: StartPage | None = None,
     ) -> None:
@@ -96,7 +96,7 @@ class Server:
         assets()  # read and compressed before the first request
         self._start()
 
-    def _routes(self, start: StartPage | None, sheets: Mapping[str, bytes]) -> list[Route]:
+    def _routes(self, start: StartPage | None, sheets: Mapping[str, Asset]) -> list[Route]:
         page = {"application_context": self.lecture.applications["/"], "bokeh_websocket_path": "/ws"}
         readers = networks(("127.0.0.0/8", "::1", *self.context.settings.metrics_for))
         return [
@@ -104,7 +104,7 @@ class Server:
             (r"/ws", Socket, page),
             (r"/app", Moved, {"to": "./"}),
             (r"/app/", Moved, {"to": "../"}),
-            (r"/assets/(.*)", AssetFiles, {"more": packed_files(sheets)}),
+            (r"/assets/(.*)", AssetFiles, {"more": sheets}),
             *(route for extension in self._extensions for route in extension.routes()),
             (r"/liveness", Liveness),
             (r"/readiness", Readiness),

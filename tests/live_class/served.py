@@ -19,15 +19,18 @@ import redis
 from components.language.class_messages import News
 from components.language.messages import Given
 from components.live_class import shared_store, store
+from components.live_class.question_bank import QuestionBank
 from components.live_class.routes import LiveClass
 from components.live_class.shared_store import SharedStore
 from components.live_class.store import MemoryStore, Store
+from components.scenes import SCENES
 from components.serving.server import Server
+from components.walks.registry import all_walks
 from tests.live_class.caller import Class, streams_closed
 from tests.serving import served as servers
 from tests.serving.server import free_port, wait_until_listening
 
-BANK = servers.LECTURE.bank
+BANK = QuestionBank(all_walks([], SCENES), SCENES)
 ANSWERS = 5000
 READ = ("summary", "answers.csv", "answers?question={walk}/{step}/1", "tally", "stored")
 """Addresses below that of a class, for its instructor."""
@@ -38,7 +41,7 @@ async def served(store: Store | None = None, **settings: Any) -> AsyncIterator[t
     """Yield a server with a live class. At the end, close all streams that the test has opened."""
     secrets = [settings.get(name, "") for name in ("class_passphrase", "bokeh_secret_key")]
     live_class = LiveClass(store or MemoryStore(), BANK, *secrets)
-    page, start = partial(servers.LECTURE.open_page, lead=live_class.lead), servers.LECTURE.start
+    page, start = partial(servers.lecture().open_page, lead=live_class.lead), servers.lecture().start
     async with servers.served(page, extensions=[live_class], start=start, **settings) as server, streams_closed():
         server.classes = live_class.context
         yield server, servers.url(server)

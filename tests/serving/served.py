@@ -4,12 +4,13 @@ import asyncio
 from collections.abc import AsyncIterator, Callable, Mapping, Sequence
 from concurrent.futures import Future
 from contextlib import asynccontextmanager
+from functools import cache
 from typing import Any
 
 from bokeh.document import Document
 from bokeh.server.session import ServerSession
 
-from app import SHEETS, walked
+from app import Lectured, walked
 from components.serving.server import Extension, Server
 from components.serving.settings import Settings
 from components.serving.start import StartPage
@@ -17,13 +18,18 @@ from components.session.worker import Replied, WorkerJob
 from tests.live_class.caller import Answered
 from tests.serving.visitor import ask
 
-LECTURE = walked([])
 MUCH = 10**6
+
+
+@cache
+def lecture() -> Lectured:
+    """The lecture without walks of an instructor. It takes seconds, and browser tests do not need it."""
+    return walked([])
 
 
 @asynccontextmanager
 async def served(
-    page: Callable[[Document], None] = LECTURE.open_page,
+    page: Callable[[Document], None] | None = None,
     *,
     figures: Mapping[str, tuple[str, Callable[[], float]]] | None = None,
     extensions: Sequence[Extension] = (),
@@ -32,7 +38,7 @@ async def served(
 ) -> AsyncIterator[Server]:
     """Yield a server with these settings that can open any number of pages, and end it."""
     made = Settings(**{"address": "127.0.0.1", "port": 0, "arrivals": MUCH, **settings})
-    server = Server(page, made, figures, {**SHEETS, **LECTURE.files}, extensions, start)
+    server = Server(page or lecture().open_page, made, figures, lecture().files, extensions, start)
     try:
         yield server
     finally:
