@@ -88,6 +88,11 @@ def remote_of(lecture: Page, window: Open, width: int = 390, height: int = 844) 
     return remote
 
 
+def onward(remote: Page, words: str) -> None:
+    """Press the button that leads on. Another button with these words is hidden once this one has them."""
+    remote.locator(".remote-deeds .filled", has_text=words).click()
+
+
 def draw(page: Page, height: Callable[[float], float], count: int = 40) -> None:
     """Draw a curve: heights and positions as shares of the frame."""
     page.locator(".drawing").scroll_into_view_if_needed()

@@ -27,7 +27,7 @@ CALMER = """{
   const waiting = new Map()
   let last = 0, count = 0
   const pump = now => {
-    if (++count % 3) return real(pump)
+    if (++count % 3 && globalThis.oscillations?.page?.clock.playing) return real(pump)
     const due = [...waiting.values()]
     waiting.clear()
     for (const act of due) try { act(now) } catch (fault) { reportError(fault) }

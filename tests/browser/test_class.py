@@ -5,7 +5,7 @@ import re
 import pytest
 from playwright.sync_api import Page, Route, expect
 
-from tests.browser.classroom import FILLED, LED, counted, draw, joined, put, remote_of, sent, taught
+from tests.browser.classroom import FILLED, LED, counted, draw, joined, onward, put, remote_of, sent, taught
 from tests.browser.fixtures import CONNECTED, READY, Open
 from tests.browser.looks import in_hall
 from tests.browser.waiting import clicked, drop, tap
@@ -132,7 +132,7 @@ def number(lecture: Page, phone: Page, other: Page, remote: Page) -> None:
     asked = list[Route]()
     other.route("**/answer", lambda route: asked.append(route))
     with other.expect_request("**/answer"):  # for the reply to the answer that counts
-        remote.get_by_role("button", name="Show the answer").click()
+        onward(remote, "Show the answer")
     typed = other.locator(".question input")
     typed.evaluate("field => { field.value = '2' }")  # even if the reply takes too long, so that the field is closed
     asked[0].continue_()
@@ -185,7 +185,7 @@ def words(lecture: Page, phone: Page, other: Page, remote: Page) -> None:
     expect(remote.get_by_role("button", name="Remove")).to_have_count(1)
     remote.get_by_role("button", name="Remove").click()
     expect(lecture.locator(".words-shown li")).to_have_count(0)
-    remote.get_by_role("button", name="Show the answer").click()
+    onward(remote, "Show the answer")
     expect(phone.get_by_text("Energy goes to and fro.")).to_be_visible()
     for _ in range(2):
         clicked(lecture)

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import FilePayload, Page, Request, Route, expect
 
-from tests.browser.classroom import FILLED, LED, counted, joined, opening, put, remote_of, sent, taught, ticket
+from tests.browser.classroom import FILLED, LED, counted, joined, onward, opening, put, remote_of, sent, taught, ticket
 from tests.browser.fixtures import CONNECTED, READY, Open, another_version
 from tests.browser.waiting import MINE, QUIET, clicked, drop, passed, tap
 from tests.live_class.caller import call
@@ -147,6 +147,7 @@ def taken_over(lecture: Page, other: Page) -> None:
 
 
 @pytest.mark.timeout(400)  # four windows on a busy machine
+@pytest.mark.slow  # five pages, one of them a remote control
 def test_a_remote_control_and_another_computer_lead(server: Server, window: Open, failing: Open) -> None:
     lecture, code = taught(window, "walk=d31&step=d31-03&projector", 1280, 720)
     remote, phone = remote_of(lecture, failing), joined(window, code)
@@ -225,9 +226,9 @@ def test_no_answer_is_lost_when_the_server_is_killed(quiet: Open, tmp_path: Path
         expect(remote.locator(".class-remote > [role=status]")).to_contain_text("1 of 1", timeout=BACK)
         expect(lecture.locator(".votes")).to_contain_text("3 of 3 have answered", timeout=BACK)
         lecture.wait_for_function(CONNECTED, timeout=BACK)
-        remote.get_by_role("button", name="Show the votes").click()  # it is still accepted
+        onward(remote, "Show the votes")  # it is still accepted
         counted(lecture, "2", "1", "0")
-        remote.get_by_role("button", name="Show the answer").click()
+        onward(remote, "Show the answer")
         lecture.wait_for_function("oscillations.walks.walk.lesson")
         expect(phones[2].get_by_text("Twice the pull is twice the force")).to_be_visible()
         copies = f"{LED}.copies.answers.get('mine/pull/1') ?? {{}}"  # of three answers
@@ -269,8 +270,7 @@ def test_a_class_is_opened_once_has_the_files_numbers_and_repeats_a_lost_order(f
 
     def first_lost(route: Route) -> None:
         told = json.loads(route.request.post_data or "{}")
-        if told["type"] == "put":
-            steps.append(told["step"])
+        steps.extend([told["step"]] if told["type"] == "put" else [])
         (route.abort if steps == ["d31-03"] else route.continue_)()
 
     lecture.route(re.compile("/lead$"), first_lost)

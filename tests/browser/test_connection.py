@@ -48,6 +48,10 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[GatedSite]:
         yield found
 
 
+NIGHTLY = dict.fromkeys(("tab suspended", "worker killed"), pytest.mark.nightly)
+SLOWER = {"server killed and restarted": pytest.mark.slow, **NIGHTLY}
+
+
 @pytest.fixture
 def page(quiet: Open) -> Page:
     return quiet()
@@ -65,7 +69,7 @@ def lost(page: Page) -> None:
     page.wait_for_function(CONNECTED.format("false"))
 
 
-@pytest.mark.parametrize("name", sample([*LOSSES], 20))
+@pytest.mark.parametrize("name", [pytest.param(name, marks=SLOWER.get(name, ())) for name in LOSSES])
 def test_every_last_value_is_kept_when_the_connection_is_back(page: Page, site: GatedSite, name: str) -> None:
     visit(page, site, LOSSES[name], seed=1)
 

@@ -85,7 +85,7 @@ def stopped(page: Page, t: float = 0.3) -> None:
     passed(page)
 
 
-@pytest.mark.parametrize("turn", [*itertools.product(SCENES, SCREENS)] if WHOLE else sample(TURNS, 5), ids="-".join)
+@pytest.mark.parametrize("turn", [*itertools.product(SCENES, SCREENS)] if WHOLE else sample(TURNS, 4), ids="-".join)
 def test_a_scene_in_the_hand(turn: tuple[str, str], new_page: Open, open_scene: Open) -> None:
     """Grips follow within two frames, on a desk with late answers. A finger shows no ring, or scrolls."""
     (slug, screen), desk = turn, turn[1] == "desk"

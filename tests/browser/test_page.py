@@ -82,6 +82,7 @@ def test_numbers_at_the_pointer_and_at_a_handle_have_their_unit(desk: Page) -> N
         ("phugoid", {}, "period", r"^τ \d[\d.]* s$"),
     ):
         turned(desk, slug, given)
+        passed(desk)
         desk.mouse.move(*pointed(desk, plot, 0.6)[:2])
         expect(desk.locator(".reading:visible span").first).to_have_text(re.compile(says))
     pill = desk.get_by_role("slider", name="Drive frequency", exact=True)

@@ -74,8 +74,7 @@ def check_figures(face: PanelFace) -> None:
 
 
 @pytest.mark.parametrize(
-    ("slug", "widths"),
-    [*((slug, PHONE) for slug in SCENES), *((slug, WIDE) for slug in sample(list(SCENES), 3))],
+    ("slug", "widths"), [*((slug, PHONE) for slug in SCENES), *((slug, WIDE) for slug in sample(list(SCENES), 3))]
 )
 def test_every_view_is_drawn_and_no_text_is_cut_or_overlaps_another(slug: str, widths: tuple[int, int]) -> None:
     face = first_face(slug, widths)

@@ -147,6 +147,7 @@ def shown(notebook: Any, kind: str = "text/plain") -> str:
     return "".join(output.get("text", "") or output.get("data", {}).get(kind, "") for output in found)
 
 
+@pytest.mark.slow  # it starts a kernel
 # Warnings about what a kernel's client leaves open when it ends.
 @pytest.mark.filterwarnings("ignore::ResourceWarning", "ignore::DeprecationWarning")
 @pytest.mark.parametrize("path", sample(NOTEBOOKS, 6), ids=lambda path: path.stem)
