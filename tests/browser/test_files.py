@@ -118,6 +118,7 @@ def is_printed(page: Page, headline: str) -> None:
         assert re.findall(rb"/Count (\d+)", page.pdf(format="A4", landscape=landscape)) == [b"1"], landscape
 
 
+@pytest.mark.slow  # it waits for a worker, and makes each picture
 @pytest.mark.parametrize("slug", sample([*SCENES], 20))
 def test_what_every_scene_gives_away(slug: str, new_page: Open, open_scene: Open) -> None:
     """The numbers about its numbers stay within the panel. Pictures are light, and need nothing from the page."""

@@ -147,8 +147,7 @@ def shown(notebook: Any, kind: str = "text/plain") -> str:
     return "".join(output.get("text", "") or output.get("data", {}).get(kind, "") for output in found)
 
 
-@pytest.mark.slow  # it starts a kernel
-# Warnings about what a kernel's client leaves open when it ends.
+@pytest.mark.slow  # it starts a kernel, whose client leaves open what the warnings are about
 @pytest.mark.filterwarnings("ignore::ResourceWarning", "ignore::DeprecationWarning")
 @pytest.mark.parametrize("path", sample(NOTEBOOKS, 6), ids=lambda path: path.stem)
 def test_a_notebooks_stored_outputs_are_current(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
