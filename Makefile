@@ -12,8 +12,8 @@ OURS := $(VENV)/created-by-make
 CAN := import sys, venv, ensurepip; sys.exit(not (3, 11) <= sys.version_info[:2] <= (3, 13))
 PYTHON ?= $(shell for p in python3 python3.13 python3.12 python3.11; do $$p -c '$(CAN)' 2>/dev/null && echo $$p && break; done)
 PIP := $(BIN)/pip install --quiet --disable-pip-version-check --require-hashes
-# uv installs in seconds what takes pip more than a minute. It does not read pip's settings: where only these name a
-# package registry, pip installs.
+# uv installs in seconds what takes pip more than a minute. pip installs where uv does not run, or finds no package
+# registry because only pip's settings name one.
 install = $(BIN)/uv pip install --quiet --compile-bytecode --python $(BIN)/python --require-hashes -r $(1) || $(PIP) -r $(1)
 LOCK := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --fork-strategy fewest --generate-hashes \
 	--no-emit-index-url --no-strip-extras --custom-compile-command "make lock"
@@ -221,7 +221,7 @@ $(VENV)/run.stamp: requirements.txt
 	@test ! -e $(OURS) || rm -rf $(VENV)
 	@test -n "$$(ls -A $(VENV) 2>/dev/null)" || { mkdir -p $(VENV) && touch $(OURS) && $(PYTHON) -m venv $(VENV); }
 	@test -x $(BIN)/pip || { echo "$(VENV) is not empty and no virtual environment with pip: make VENV=another"; exit 1; }
-	sed -n '/^uv==/,/# via/p' requirements-test.txt | $(PIP) -r /dev/stdin
+	-sed -n '/^uv==/,/# via/p' requirements-test.txt | $(PIP) -r /dev/stdin
 	$(call install,requirements.txt)
 	@touch $@
 
