@@ -8,7 +8,6 @@ from functools import partial
 import pytest
 from hypothesis import given, settings
 
-from app import walked
 from components.quantities.refusals import SORRY
 from components.scene import Scene
 from components.scenes import SCENES
@@ -19,6 +18,7 @@ from components.state.link import Link, read_query
 from tests.grids import sample, tries
 from tests.page.headless_page import PICTURE, counted
 from tests.scenes.checks import as_arguments
+from tests.serving.served import lecture
 from tests.states import links
 from tools.attack.extremes import ExtremeValues, Message, messages, queries, values
 from tools.attack.greedy import FILES
@@ -43,7 +43,7 @@ WORST = (
 @pytest.fixture(scope="module", autouse=True)
 def started() -> None:
     """Build what a server computes once, before its first visitor arrives."""
-    assert len(walked([]).files) > len(SCENES)
+    assert len(lecture().files) > len(SCENES)
 
 
 def check(link: Link, has_jobs: bool = True) -> None:

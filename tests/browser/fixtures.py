@@ -39,7 +39,7 @@ CALMER = """{
   }
   globalThis.cancelAnimationFrame = id => waiting.delete(id)
 }"""
-"""Draw only every third frame: without a graphics card a playing picture takes more than one core."""
+"""Draw only every third frame while a picture plays, which takes more than one core without a graphics card."""
 
 
 @contextmanager

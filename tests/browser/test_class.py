@@ -9,19 +9,11 @@ from tests.browser.classroom import FILLED, LED, counted, draw, joined, onward, 
 from tests.browser.fixtures import CONNECTED, READY, Open
 from tests.browser.looks import in_hall
 from tests.browser.waiting import clicked, drop, tap
+from tests.live_class.caller import WORDS
 
 pytestmark = pytest.mark.browser
 
 STEPS = {"pull": "d31-03", "mass": "d31-02", "place": "d31-12", "curve": "d34-14"}
-WORDS = """[[step]]
-id = "why"
-kind = "words"
-title = "Energy goes to and fro"
-state = "?scene=oscillator"
-show = ["stage", "plot:x"]
-question = "Why does it swing on?"
-explain = "Energy goes to and fro."
-"""
 POLL = """[[step]]
 id = "speed"
 poll = true

@@ -64,8 +64,6 @@ STATE = """() => {
   return JSON.stringify([values, clock.t, host.messages.last])
 }"""
 """All values, the instant, and the number of the last message."""
-
-
 SCREENS = {"desk": (1280, 720), "landscape": (568, 320), "wide": (500, 800), "phone": (390, 844), "small": (320, 640)}
 TURNS = [*zip(SCENES, itertools.cycle(["phone", *(name for name in SCREENS if name != "phone")]), strict=False)]
 """Every scene on one of the screens."""

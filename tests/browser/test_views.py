@@ -33,9 +33,8 @@ OPTIONS: list[State] = [
     if scene.at().differing(choice) and (slug, choice) not in VIEWS
 ]
 CROWDED: State = ("forced", {"view": "bode"})  # the numbers at its axes have no room
-QUICK = [CROWDED, *(state for state in OPENING if state[0] in ("coupled", "accuracy"))]
-MORE = [state for state in OPENING if state[0] in ("analogues", "phugoid")]
-"""QUICK has two masses, and a measurement without a stage; MORE has many small pictures, and a path."""
+QUICK = [CROWDED, *(state for state in OPENING if state[0] in ("coupled", "accuracy"))]  # two masses; no stage
+MORE = [state for state in OPENING if state[0] in ("analogues", "phugoid")]  # many small pictures; a path
 REST = (*VIEWS, *SPECIAL, *OPTIONS) if WHOLE else (*OPENING[1::3], *MORE, *SPECIAL[::2])
 EACH = [*QUICK, *(pytest.param(state, marks=pytest.mark.slow) for state in REST if state not in QUICK)]
 states = pytest.mark.parametrize("state", EACH, ids=lambda state: "-".join(map(str, (state[0], *state[1].values()))))

@@ -329,7 +329,11 @@ async def lesson(site: DeployedSite) -> None:
         url = direct[i % 3]
         await room.voted(await room.token(url), url=url, **CHOICE, option=i % 2)
 
-    result = await asyncio.to_thread(asyncio.run, trial(site, 6, lambda: [site.kill(0), site.end(1)]))
+    def happening() -> None:
+        site.kill(0)
+        site.end(1)
+
+    result = await asyncio.to_thread(asyncio.run, trial(site, 6, happening))
     assert result.lost == [] and result.returned >= 1
     await until(lambda: streams[0].ended and streams[1].ended)
     back = await Stream.open(site.url, room.code, streams[0].word)

@@ -239,17 +239,19 @@ class Remote:
 
 CHOICE, NUMBER = {"walk": "d31", "step": "d31-03"}, {"walk": "d31", "step": "d31-02"}
 SKETCH = {"walk": "d34", "step": "d34-14"}
-OWN = {
-    "mine": 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n',
-    "why": """title = "Why"
-[[step]]
+WORDS = """[[step]]
 id = "why"
 kind = "words"
 title = "Energy goes to and fro"
 state = "?scene=oscillator"
+show = ["stage", "plot:x"]
 question = "Why does it swing on?"
 explain = "Energy goes to and fro."
-[[step]]
+"""
+OWN = {
+    "mine": 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n',
+    "why": f"""title = "Why"
+{WORDS}[[step]]
 id = "vote"
 kind = "choice"
 poll = true
@@ -257,7 +259,7 @@ fixed = true
 title = "Vote"
 state = "?scene=coupled&k2=3"
 question = "What is your answer to the question just asked?"
-options = [{ text = "A" }, { text = "B" }]
+options = [{{ text = "A" }}, {{ text = "B" }}]
 explain = "The question was asked aloud."
 """,
 }

@@ -25,12 +25,12 @@ from components.live_class.shared_store import SharedStore
 from components.live_class.store import MemoryStore, Store
 from components.scenes import SCENES
 from components.serving.server import Server
-from components.walks.registry import all_walks
+from components.walks.loading import load_walks
 from tests.live_class.caller import Class, streams_closed
 from tests.serving import served as servers
 from tests.serving.server import free_port, wait_until_listening
 
-BANK = QuestionBank(all_walks([], SCENES), SCENES)
+BANK = QuestionBank(load_walks(()), SCENES)
 ANSWERS = 5000
 READ = ("summary", "answers.csv", "answers?question={walk}/{step}/1", "tally", "stored")
 """Addresses below that of a class, for its instructor."""

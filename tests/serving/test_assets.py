@@ -19,7 +19,7 @@ import pytest
 import tinycss2
 from playwright.sync_api import Page, expect
 
-from app import NO_WALKS, visited, walked
+from app import NO_WALKS, visited
 from components.language.messages import File
 from components.scenes import SCENES
 from components.serving.assets import SCENES as FOLDER
@@ -31,7 +31,7 @@ from components.state.csv_export import as_file
 from tests.grids import sample
 from tests.live_class.caller import until
 from tests.scenes.checks import as_arguments
-from tests.serving.served import FakeWorker, page_of, served, url
+from tests.serving.served import FakeWorker, lecture, page_of, served, url
 from tests.serving.server import Server
 from tests.serving.visitor import Visitor, ask
 
@@ -106,7 +106,7 @@ def test_a_link_that_opens_no_scene_shows_the_start_page(query: str, opens: bool
 
 
 def test_walks_are_listed_and_an_unknown_scene_is_named_in_a_sentence() -> None:
-    start = walked([]).start
+    start = lecture().start
     said, plain = start.asked({"scene": [b"<b>pendulum"]}) or "", start.asked({}) or ""
     assert "scene: “&lt;b&gt;pendulum” is not a scene: choose one of oscillator, " in said
     assert "is not a scene" not in plain and 'href="?walk=d34"' in plain
@@ -188,7 +188,7 @@ def test_what_cannot_be_is_refused_in_a_sentence(server: Server, query: str, sen
 async def test_a_worker_does_the_long_jobs_for_the_network_that_asks() -> None:
     """The event loop continues meanwhile; the job of a client who leaves is cancelled."""
     worker = FakeWorker()
-    page = partial(walked([]).open_page, worker=worker)
+    page = partial(lecture().open_page, worker=worker)
     async with served(page, extensions=[NumbersRoute(worker, 9)]) as server:
         waits = asyncio.create_task(page_of(server, COUPLED))
         await until(lambda: len(worker.jobs) == 1)

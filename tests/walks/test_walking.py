@@ -134,8 +134,7 @@ def answers(step: Step, count: int) -> list[dict[str, Any]]:
     if isinstance(step, ChoiceStep):
         kinds = [{"option": i} for i in sorted(range(len(step.options)), key=lambda i: not step.options[i].right)]
     elif isinstance(step, SketchStep):
-        drawn = heights(step).items()
-        sketches = ({n: [y if y is None else max(y - by, -100) for y in ys] for n, ys in drawn} for by in (0, 120, 300))
+        sketches = ({name: lowered(curve, by) for name, curve in heights(step).items()} for by in (0, 120, 300))
         kinds = [{"curves": curves} for curves in sketches]
     elif isinstance(step, PointStep):
         axis = step.on(subject)
@@ -145,6 +144,10 @@ def answers(step: Step, count: int) -> list[dict[str, Any]]:
     else:
         kinds = [{"text": text} for text in ("It swings", "it swings.", "No idea")]
     return [kinds[0] if i % 2 else kinds[i // 2 % len(kinds)] for i in range(count)]
+
+
+def lowered(curve: Sketched, by: int) -> Sketched:
+    return [None if height is None else max(height - by, -100) for height in curve]
 
 
 @pytest.mark.parametrize("step", SKETCHES, ids=lambda step: step.id)
